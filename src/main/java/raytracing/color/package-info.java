@@ -1,0 +1,2 @@
+/** Colours, kept apart from vectors so that no point is ever lit and no light is ever crossed. */
+package raytracing.color;

@@ -1,0 +1,2 @@
+/** Vectors, orthonormal bases and reproducible random numbers; knows nothing of rays, colours or scenes. */
+package raytracing.math;
