@@ -1,0 +1,36 @@
+package raytracing.geometry;
+
+import raytracing.math.Vector;
+
+/**
+ * A half-line: the points origin + t direction with t above 0.
+ *
+ * @param origin start, world axes
+ * @param direction where it goes; any length but 0, and distances t count in multiples of it
+ * @param surfaceLeft number of the surface on which the ray starts, or {@link #NO_SURFACE}
+ * @param departure to which side of that surface it leaves; {@link Departure#ELSEWHERE} if there is none
+ */
+public record Ray(Vector origin, Vector direction, int surfaceLeft, Departure departure) {
+    /** The number of no surface at all, below every real one. */
+    public static final int NO_SURFACE = -1;
+
+    /**
+     * A ray from a free point, such as the camera.
+     *
+     * @param origin start
+     * @param direction where it goes, not zero
+     */
+    public Ray(Vector origin, Vector direction) {
+        this(origin, direction, NO_SURFACE, Departure.ELSEWHERE);
+    }
+
+    /**
+     * How this ray's origin lies to a surface.
+     *
+     * @param surface number of the surface
+     * @return the departure this ray was made with if it leaves that surface, else {@link Departure#ELSEWHERE}
+     */
+    public Departure departureFrom(int surface) {
+        return surface == surfaceLeft ? departure : Departure.ELSEWHERE;
+    }
+}

@@ -1,0 +1,36 @@
+package raytracing.geometry;
+
+import raytracing.math.Vector;
+
+/**
+ * The scene line {@code sph}: all points at one distance from a centre.
+ *
+ * @param centre its middle, world axes
+ * @param radius above 0, finite
+ * @param material number of its material, from 0
+ */
+public record Sphere(Vector centre, double radius, int material) implements Surface {
+    @Override
+    public double firstCrossing(Vector origin, Vector direction, Departure departure) {
+        double ox = origin.x() - centre.x();
+        double oy = origin.y() - centre.y();
+        double oz = origin.z() - centre.z();
+        return switch (departure) {
+            case ELSEWHERE -> SphereKernel.firstCrossing(
+                ox, oy, oz, direction.x(), direction.y(), direction.z(), radius);
+            case INWARD -> SphereKernel.acrossFromInnerWall(ox, oy, oz, direction.x(), direction.y(), direction.z());
+            case OUTWARD -> MISS;
+        };
+    }
+
+    /** Taken from (origin - centre) + t direction, which keeps its digits when both lie far from the world's origin. */
+    @Override
+    public Vector outwardNormal(Vector origin, Vector direction, double distance) {
+        return origin.minus(centre).plus(distance, direction).unit();
+    }
+
+    @Override
+    public void presentTo(Receiver receiver) {
+        receiver.sphere(this);
+    }
+}

@@ -1,0 +1,51 @@
+package raytracing.geometry;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import raytracing.math.Vector;
+
+class PlaneTest {
+    /** y = 2, written with a normal three units long: offset counts in multiples of it. */
+    private static final Plane LEVEL = new Plane(new Vector(0, 3, 0), 6, 0);
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "straight down on it,           5,  0, -1,  0,         3",
+        "from below,                   -1,  0,  1,  0,         3",
+        "slanted,                       5,  4, -1,  3,         3",
+        "away from it,                  5,  0,  1,  0,  Infinity",
+        "along it,                      5,  1,  0,  0,  Infinity",
+        "inside it,                     2,  1,  0,  0,  Infinity",
+        "inside it with a minus zero,   2,  1, -0.0, 1, Infinity",
+        "starting on it,                2,  1, -1,  0,  Infinity",
+    })
+    void firstCrossingIsTheOneSolvedByHand(String why, double y, double dx, double dy, double dz, double expected) {
+        assertEquals(expected,
+            LEVEL.firstCrossing(new Vector(7, y, 9), new Vector(dx, dy, dz), Departure.ELSEWHERE), why);
+    }
+
+    @Test
+    void aRayNeverMeetsThePlaneItLeaves() {
+        Vector rounded = new Vector(0, Math.nextUp(2.0), 0);
+        Vector down = new Vector(0, -1, 0);
+        assertEquals(Surface.MISS, LEVEL.firstCrossing(rounded, down, Departure.OUTWARD));
+        assertEquals(Surface.MISS, LEVEL.firstCrossing(rounded, down, Departure.INWARD));
+    }
+
+    @Test
+    void theNormalIsUnitAndAsWritten() {
+        assertEquals(new Vector(0, 1, 0), LEVEL.outwardNormal(new Vector(0, 0, 0), new Vector(0, 1, 0), 2));
+    }
+
+    @Test
+    void bothSidesAreSeenWithTheNormalTowardsTheEye() {
+        Hit fromAbove = LEVEL.hit(new Ray(new Vector(0, 5, 0), new Vector(0, -1, 0)), 3, 0);
+        Hit fromBelow = LEVEL.hit(new Ray(new Vector(0, -1, 0), new Vector(0, 1, 0)), 3, 0);
+        assertEquals(new Vector(0, 1, 0), fromAbove.normal());
+        assertEquals(-1, fromBelow.normal().y());
+        assertEquals(2, fromAbove.point().y());
+    }
+}
