@@ -1,0 +1,55 @@
+package raytracing.parse;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Collects what is wrong with a scene file, so that its author can mend it all at once. */
+final class Problems {
+    private static final int MOST_LISTED = 20;
+    private static final int LONGEST_QUOTE = 40;
+
+    /** Sorts after every line: what concerns the whole file comes last. */
+    private static final int WHOLE_FILE = Integer.MAX_VALUE;
+
+    private final String fileName;
+    private final List<Problem> problems = new ArrayList<>();
+
+    private record Problem(int line, String message) {
+    }
+
+    Problems(String fileName) {
+        this.fileName = fileName;
+    }
+
+    void add(int line, String code, String message) {
+        problems.add(new Problem(line, fileName + ":" + line + ": " + printable(code) + ": " + message));
+    }
+
+    void addForWholeFile(String code, String message) {
+        problems.add(new Problem(WHOLE_FILE, fileName + ": " + code + ": " + message));
+    }
+
+    /** Throws if anything was added: the first messages in the order of the lines, and how many more there are. */
+    void throwIfAny() throws RayTracerException {
+        if (problems.isEmpty()) {
+            return;
+        }
+        problems.sort(Comparator.comparingInt(Problem::line));
+        List<String> messages = new ArrayList<>();
+        for (Problem problem : problems.subList(0, Math.min(problems.size(), MOST_LISTED))) {
+            messages.add(problem.message);
+        }
+        if (problems.size() > MOST_LISTED) {
+            messages.add(fileName + ": and " + (problems.size() - MOST_LISTED) + " more");
+        }
+        throw new RayTracerException(messages);
+    }
+
+    /** A piece of the file, safe to show on a terminal and short enough to read. */
+    static String printable(String piece) {
+        StringBuilder shown = new StringBuilder();
+        piece.codePoints().limit(LONGEST_QUOTE).forEach(c -> shown.appendCodePoint(Character.isISOControl(c) ? '?' : c));
+        return piece.codePointCount(0, piece.length()) > LONGEST_QUOTE ? shown + "..." : shown.toString();
+    }
+}

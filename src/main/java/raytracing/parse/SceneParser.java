@@ -1,0 +1,302 @@
+package raytracing.parse;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import raytracing.color.Color;
+import raytracing.geometry.Box;
+import raytracing.geometry.Plane;
+import raytracing.geometry.Sphere;
+import raytracing.geometry.Surface;
+import raytracing.math.Vector;
+import raytracing.scene.Camera;
+import raytracing.scene.Fisheye;
+import raytracing.scene.Lens;
+import raytracing.scene.Light;
+import raytracing.scene.Material;
+import raytracing.scene.Pinhole;
+import raytracing.scene.Scene;
+import raytracing.scene.Settings;
+
+/**
+ * Reads a scene file; {@code src/docs/FORMAT.md} is its user's manual. Refuses instead of guessing: whatever is not
+ * as the manual says becomes one line naming file, line number, code, value and what was expected. One parser reads
+ * one file.
+ */
+public final class SceneParser {
+    private static final double DEFAULT_FISHEYE_K = 0.5;
+    private static final double DEFAULT_AMBIENT_SCALE = 1;
+
+    /**
+     * An up vector within this sine of the view counts as parallel to it: a million times the rounding of a direction
+     * between two points whose coordinates are written with the usual digits, and a thousandth of what could be meant.
+     */
+    private static final double PARALLEL = 1e-10;
+
+    private final Problems problems;
+    private final SceneText text;
+    private final List<Material> materials = new ArrayList<>();
+    private final List<Surface> surfaces = new ArrayList<>();
+    private final List<Light> lights = new ArrayList<>();
+    private final List<MaterialAhead> materialsAhead = new ArrayList<>();
+    private final Single<Camera> camera = new Single<>();
+    private final Single<Settings> settings = new Single<>();
+
+    /** A use of a material that no line has defined so far. */
+    private record MaterialAhead(Values user, int number) {
+    }
+
+    /** An object that a scene has exactly one of. */
+    private static final class Single<T> {
+        private Optional<T> value = Optional.empty();
+        private int line;
+    }
+
+    private SceneParser(String fileName, byte[] bytes) {
+        problems = new Problems(fileName);
+        text = new SceneText(bytes);
+    }
+
+    /**
+     * Reads a scene file.
+     *
+     * @param file where it is
+     * @return the scene it describes
+     * @throws RayTracerException if there is no such file, or whatever is wrong in it, up to 20 messages
+     * @throws IOException if the file is there and cannot be read
+     */
+    public static Scene parseFile(Path file) throws RayTracerException, IOException {
+        try {
+            if (Files.isDirectory(file)) {
+                throw new RayTracerException(file + ": is a folder, expected a scene file");
+            }
+            return parse(file.toString(), Files.readAllBytes(file));
+        } catch (NoSuchFileException missing) {
+            throw new RayTracerException(file + ": no such file, expected a scene file");
+        }
+    }
+
+    /**
+     * Reads the text of a scene.
+     *
+     * @param fileName what messages call it
+     * @param bytes the text, as in a file
+     * @return the scene it describes
+     * @throws RayTracerException whatever is wrong in it, up to 20 messages
+     */
+    public static Scene parse(String fileName, byte[] bytes) throws RayTracerException {
+        return new SceneParser(fileName, bytes).scene();
+    }
+
+    private Scene scene() throws RayTracerException {
+        while (text.hasMoreLines()) {
+            List<String> tokens = text.nextLine();
+            if (!tokens.isEmpty()) {
+                readLine(tokens.get(0), tokens.subList(1, tokens.size()));
+            }
+        }
+        for (MaterialAhead ahead : materialsAhead) {
+            checkDefined(ahead);
+        }
+        checkPresent(camera, "cam");
+        checkPresent(settings, "set");
+        problems.throwIfAny();
+        return new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
+    }
+
+    private void readLine(String code, List<String> tokens) {
+        Values values = new Values(text.lineNumber(), code, tokens, problems);
+        switch (code.toLowerCase(Locale.ROOT)) {
+            case "cam" -> {
+                if (isFirst(camera, values) && countFits(tokens, values, Shape.CAM)) {
+                    camera.value = Optional.of(camera(values));
+                }
+            }
+            case "set" -> {
+                if (isFirst(settings, values) && countFits(tokens, values, Shape.SET)) {
+                    settings.value = Optional.of(settings(values));
+                }
+            }
+            case "mtl" -> materials.add(countFits(tokens, values, Shape.MTL) ? material(values) : NO_MATERIAL);
+            case "sph" -> {
+                if (countFits(tokens, values, Shape.SPH)) {
+                    surfaces.add(sphere(values));
+                }
+            }
+            case "pln" -> {
+                if (countFits(tokens, values, Shape.PLN)) {
+                    surfaces.add(plane(values));
+                }
+            }
+            case "box" -> {
+                if (countFits(tokens, values, Shape.BOX)) {
+                    surfaces.add(box(values));
+                }
+            }
+            case "lgt" -> {
+                if (countFits(tokens, values, Shape.LGT)) {
+                    lights.add(light(values));
+                }
+            }
+            default -> values.problem("unknown code, expected cam, set, mtl, sph, pln, box or lgt");
+        }
+    }
+
+    /** Keeps the numbers of the materials after a line that could not be read; never shown. */
+    private static final Material NO_MATERIAL =
+        new Material(Color.BLACK, Color.BLACK, Color.BLACK, 0, 0, Color.BLACK);
+
+    /** How many values follow a code, the counts in rising order, and what they are. */
+    private enum Shape {
+        CAM("position 3, look-at 3, up 3, screen distance, screen width, [fisheye], [k]", 11, 12, 13),
+        SET("background 3, shadow ray root, maximum recursion, [ambient scale]", 5, 6),
+        MTL("diffuse 3, specular 3, reflection 3, Phong exponent, transparency, [ambient 3]", 11, 14),
+        SPH("centre 3, radius, material", 5),
+        PLN("normal 3, offset, material", 5),
+        BOX("centre 3, edge, material", 5),
+        LGT("position 3, colour 3, specular intensity, shadow intensity, width", 9);
+
+        private final String values;
+        private final List<Integer> counts;
+
+        Shape(String values, Integer... counts) {
+            this.values = values;
+            this.counts = List.of(counts);
+        }
+
+        private String expectation() {
+            StringBuilder alternatives = new StringBuilder();
+            for (int i = 0; i < counts.size(); i++) {
+                String separator = i == 0 ? "" : i == counts.size() - 1 ? " or " : ", ";
+                alternatives.append(separator).append(counts.get(i));
+            }
+            return "expected " + alternatives + " values (" + values + ")";
+        }
+    }
+
+    private static boolean countFits(List<String> tokens, Values values, Shape shape) {
+        int count = tokens.size();
+        if (shape.counts.contains(count)) {
+            return true;
+        }
+        int most = shape.counts.get(shape.counts.size() - 1);
+        String surplus = count > most ? ", first surplus value " + Problems.printable(tokens.get(most)) : "";
+        values.problem(shape.expectation() + ", got " + count + surplus);
+        return false;
+    }
+
+    private Camera camera(Values values) {
+        Vector position = values.vector("position");
+        Vector lookAt = values.vector("look-at");
+        Vector up = values.vector("up");
+        double screenDistance = values.number("screen distance", Range.ABOVE_0);
+        double screenWidth = values.number("screen width", Range.ABOVE_0);
+        boolean fisheye = values.hasMore() && values.flag("fisheye");
+        double k = values.hasMore() ? values.number("k", Range.FROM_MINUS_1_TO_1) : DEFAULT_FISHEYE_K;
+        Lens lens = fisheye ? new Fisheye(k) : new Pinhole();
+        Camera camera = new Camera(position, lookAt, up, screenDistance, screenWidth, lens);
+        checkView(values, camera);
+        return camera;
+    }
+
+    private static void checkView(Values values, Camera camera) {
+        Vector up = camera.up();
+        if (camera.position().minus(camera.lookAt()).length() == 0) {
+            values.refuse("look-at", "another point than the position", shown(camera.lookAt()));
+        } else if (up.length() == 0) {
+            values.refuse("up", "a direction, not zero", shown(up));
+        } else if (camera.forward().cross(up.unit()).length() <= PARALLEL) {
+            values.refuse("up", "at an angle to the view " + shown(camera.forward()), shown(up));
+        }
+    }
+
+    private static String shown(Vector vector) {
+        return vector.x() + " " + vector.y() + " " + vector.z();
+    }
+
+    private Settings settings(Values values) {
+        Color background = values.color("background");
+        int shadowRayRoot = values.wholeNumber("shadow ray root", 1, 1024);
+        int maxReflections = values.wholeNumber("maximum recursion", 0, 1000);
+        double ambientScale = values.hasMore()
+            ? values.number("ambient scale", Range.AT_LEAST_0) : DEFAULT_AMBIENT_SCALE;
+        return new Settings(background, shadowRayRoot, maxReflections, ambientScale);
+    }
+
+    private Material material(Values values) {
+        Color diffuse = values.color("diffuse");
+        Color specular = values.color("specular");
+        Color reflection = values.color("reflection");
+        double phongExponent = values.number("Phong exponent", Range.AT_LEAST_0);
+        double transparency = values.number("transparency", Range.FROM_0_TO_1);
+        Color ambient = values.hasMore() ? values.color("ambient") : Color.BLACK;
+        return new Material(diffuse, specular, reflection, phongExponent, transparency, ambient);
+    }
+
+    private Sphere sphere(Values values) {
+        Vector centre = values.vector("centre");
+        double radius = values.number("radius", Range.ABOVE_0);
+        return new Sphere(centre, radius, materialIndex(values));
+    }
+
+    private Plane plane(Values values) {
+        Vector normal = values.vector("normal");
+        if (normal.length() == 0) {
+            values.refuse("normal", "a direction, not zero", shown(normal));
+        }
+        double offset = values.number("offset", Range.ANY);
+        return new Plane(normal, offset, materialIndex(values));
+    }
+
+    private Box box(Values values) {
+        Vector centre = values.vector("centre");
+        double edge = values.number("edge", Range.ABOVE_0);
+        return new Box(centre, edge, materialIndex(values));
+    }
+
+    private Light light(Values values) {
+        Vector position = values.vector("position");
+        Color color = values.color("colour");
+        double specularIntensity = values.number("specular intensity", Range.AT_LEAST_0);
+        double shadowIntensity = values.number("shadow intensity", Range.FROM_0_TO_1);
+        double width = values.number("width", Range.AT_LEAST_0);
+        return new Light(position, color, specularIntensity, shadowIntensity, width);
+    }
+
+    /** The material's place in the list, from 0. Its line may still be ahead. */
+    private int materialIndex(Values values) {
+        int number = (int) values.number("material", Range.WHOLE_FROM_1);
+        if (number > materials.size()) {
+            materialsAhead.add(new MaterialAhead(values, number));
+        }
+        return number - 1;
+    }
+
+    private void checkDefined(MaterialAhead ahead) {
+        int defined = materials.size();
+        if (ahead.number > defined) {
+            String expected = defined == 0 ? "that of a mtl line, and there is none" : "from 1 to " + defined;
+            ahead.user.refuse("material", expected, Integer.toString(ahead.number));
+        }
+    }
+
+    private static boolean isFirst(Single<?> object, Values values) {
+        if (object.line == 0) {
+            object.line = values.line();
+            return true;
+        }
+        values.problem("one too many, the first is on line " + object.line + ", expected exactly one");
+        return false;
+    }
+
+    private void checkPresent(Single<?> object, String code) {
+        if (object.line == 0) {
+            problems.addForWholeFile(code, "missing, expected exactly one");
+        }
+    }
+}
