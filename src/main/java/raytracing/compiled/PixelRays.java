@@ -1,0 +1,71 @@
+package raytracing.compiled;
+
+import java.util.Optional;
+import raytracing.geometry.Ray;
+import raytracing.math.Basis;
+import raytracing.math.Vector;
+import raytracing.scene.Camera;
+import raytracing.scene.Fisheye;
+
+/**
+ * The rays that a camera sends through a picture of a given size. Picture coordinates count in pixels: x to the
+ * right and y down from the upper left corner, so pixel (i, j) has its centre at (i + 1/2, j + 1/2). Immutable.
+ */
+public final class PixelRays {
+    private final Camera camera;
+    private final Basis basis;
+    private final int width;
+    private final int height;
+    private final double screenHeight;
+
+    /**
+     * Prepares a camera for a picture size.
+     *
+     * @param camera the camera, whose screen is as wide as the picture
+     * @param width of the picture in pixels, at least 1
+     * @param height of the picture in pixels, at least 1
+     */
+    public PixelRays(Camera camera, int width, int height) {
+        this.camera = camera;
+        basis = camera.basis();
+        this.width = width;
+        this.height = height;
+        screenHeight = camera.screenWidth() * height / width;
+    }
+
+    /**
+     * The ray through a place of the picture.
+     *
+     * @param x picture coordinate
+     * @param y picture coordinate
+     * @return a ray of unit direction, or none where the lens shows black: no light arrives there, or only from
+     *         behind the camera
+     */
+    public Optional<Ray> through(double x, double y) {
+        double right = (x / width - 0.5) * camera.screenWidth();
+        double up = (0.5 - y / height) * screenHeight;
+        if (camera.lens() instanceof Fisheye fisheye && fisheye.k() != 1) {
+            return throughFisheye(fisheye, right, up);
+        }
+        return Optional.of(towards(camera.screenDistance(), right, up));
+    }
+
+    /** Sine and cosine of the angle, never its tangent: nothing grows without bound near a right angle. */
+    private Optional<Ray> throughFisheye(Fisheye fisheye, double right, double up) {
+        double radius = new Vector(right, up, 0).length();
+        if (radius == 0) {
+            return Optional.of(towards(1, 0, 0));
+        }
+        double angle = fisheye.incidentAngle(radius / camera.screenDistance());
+        if (!(angle < Math.PI / 2)) {        // this way round, NaN is black
+            return Optional.empty();
+        }
+        double sideways = StrictMath.sin(angle) / radius;
+        return Optional.of(towards(StrictMath.cos(angle), sideways * right, sideways * up));
+    }
+
+    private Ray towards(double forward, double right, double up) {
+        Vector direction = basis.w().times(forward).plus(right, basis.u()).plus(up, basis.v());
+        return new Ray(camera.position(), direction.unit());
+    }
+}

@@ -1,0 +1,148 @@
+package raytracing.compiled;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.geometry.Ray;
+import raytracing.math.Vector;
+import raytracing.scene.Camera;
+import raytracing.scene.Fisheye;
+import raytracing.scene.Lens;
+import raytracing.scene.Pinhole;
+
+/** A camera in the origin looks along +z at a screen 2 away and 4 wide, unless a test says otherwise. */
+class PixelRaysTest {
+    private static final double FOUR_ULP = 4 * Math.ulp(1.0);
+
+    private static PixelRays rays(Lens lens, int width, int height) {
+        Camera camera = new Camera(Vector.ZERO, new Vector(0, 0, 9), new Vector(0, 1, 0), 2, 4, lens);
+        return new PixelRays(camera, width, height);
+    }
+
+    private static Vector direction(PixelRays rays, double x, double y) {
+        return rays.through(x, y).orElseThrow().direction();
+    }
+
+    private static void assertAlong(Vector expected, Vector direction) {
+        Vector unit = expected.unit();
+        assertEquals(unit.x(), direction.x(), FOUR_ULP);
+        assertEquals(unit.y(), direction.y(), FOUR_ULP);
+        assertEquals(unit.z(), direction.z(), FOUR_ULP);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "upper left corner,    0,   0,  -2,  1.5",
+        "upper right corner, 400,   0,   2,  1.5",
+        "lower left corner,    0, 300,  -2, -1.5",
+        "lower right corner, 400, 300,   2, -1.5",
+        "middle,             200, 150,   0,    0",
+        "centre of the first pixel,  0.5,  0.5, -1.995,  1.495",
+        "centre of the last pixel, 399.5, 299.5, 1.995, -1.495",
+    })
+    void theScreenIsAsWideAsTheSceneSaysAndAsHighAsThePicturesShape(String why, double x, double y,
+                                                                    double right, double up) {
+        assertAlong(new Vector(right, up, 2), direction(rays(new Pinhole(), 400, 300), x, y));
+    }
+
+    @Test
+    void aPictureOfOnePixelLooksStraightAhead() {
+        assertEquals(new Vector(0, 0, 1), direction(rays(new Pinhole(), 1, 1), 0.5, 0.5));
+    }
+
+    @Test
+    void raysStartAtTheCameraAndHaveUnitDirections() {
+        Camera camera = new Camera(new Vector(1, 2, 3), new Vector(-4, 0, 9), new Vector(0.3, 1, 0), 2, 4,
+            new Pinhole());
+        PixelRays rays = new PixelRays(camera, 40, 30);
+        for (int x = 0; x <= 40; x++) {
+            Ray ray = rays.through(x, x / 2.0).orElseThrow();
+            assertEquals(camera.position(), ray.origin());
+            assertEquals(1, ray.direction().length(), FOUR_ULP);
+        }
+    }
+
+    @Test
+    void aCameraLookingAlongMinusZHasMinusXOnItsRight() {
+        Camera camera = new Camera(Vector.ZERO, new Vector(0, 0, -1), new Vector(0, 1, 0), 1, 2, new Pinhole());
+        assertAlong(new Vector(-1, 0, -1), direction(new PixelRays(camera, 2, 2), 2, 1));
+    }
+
+    @Test
+    void aFisheyeOfKOneIsThePinholeBitForBit() {
+        PixelRays pinhole = rays(new Pinhole(), 64, 48);
+        PixelRays fisheye = rays(new Fisheye(1), 64, 48);
+        for (int y = 0; y < 48; y++) {
+            for (int x = 0; x < 64; x++) {
+                assertEquals(pinhole.through(x + 0.5, y + 0.5), fisheye.through(x + 0.5, y + 0.5));
+            }
+        }
+    }
+
+    /** Close to k = 1 the general formula takes over; it must agree with the pinhole it does not share code with. */
+    @Test
+    void aFisheyeJustBelowKOneIsAlmostThePinhole() {
+        PixelRays pinhole = rays(new Pinhole(), 64, 48);
+        PixelRays fisheye = rays(new Fisheye(Math.nextDown(1.0)), 64, 48);
+        for (int x = 0; x < 64; x++) {
+            assertAlong(direction(pinhole, x + 0.5, 10.5), direction(fisheye, x + 0.5, 10.5));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-12, -1e-12})
+    void aFisheyeIsSmoothThroughKZero(double k) {
+        PixelRays atZero = rays(new Fisheye(0), 64, 48);
+        PixelRays near = rays(new Fisheye(k), 64, 48);
+        for (int x = 0; x < 64; x++) {
+            Vector difference = direction(atZero, x + 0.5, 3.5).minus(direction(near, x + 0.5, 3.5));
+            assertTrue(difference.length() < 2e-12);
+        }
+    }
+
+    /** Equidistant: half way to the right edge is the screen's radius 1, at distance 2: half a radian. */
+    @Test
+    void anEquidistantFisheyeTurnsRadiusIntoAngle() {
+        assertAlong(new Vector(Math.sin(0.5), 0, Math.cos(0.5)), direction(rays(new Fisheye(0), 400, 400), 300, 200));
+        assertAlong(new Vector(0, -Math.sin(0.25), Math.cos(0.25)),
+            direction(rays(new Fisheye(0), 400, 400), 200, 250));
+    }
+
+    @Test
+    void theMiddleOfAFisheyeLooksStraightAhead() {
+        assertEquals(new Vector(0, 0, 1), direction(rays(new Fisheye(-0.5), 3, 3), 1.5, 1.5));
+    }
+
+    @ParameterizedTest(name = "k {0}: black beyond radius {1}")
+    @CsvSource({
+        // theta = 90 degrees at R = f tan(k 90) / k, f 90, f sin(k 90) / k; f = 2
+        "0.5,  4",
+        "0,    3.141592653589793",
+        "-0.5, 2.8284271247461903",
+        "-1,   2",
+    })
+    void theCircleOfARightAngleIsTheEdgeOfThePicture(double k, double radius) {
+        Camera camera = new Camera(Vector.ZERO, new Vector(0, 0, 1), new Vector(0, 1, 0), 2, 20, new Fisheye(k));
+        PixelRays rays = new PixelRays(camera, 20, 20);
+        assertTrue(rays.through(10 + radius * 0.999_999, 10).isPresent());
+        assertEquals(Optional.empty(), rays.through(10 + radius * 1.000_001, 10));
+        assertEquals(Optional.empty(), rays.through(20, 20));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.5, 0, -1})
+    void scalingTheSceneByAPowerOfTwoDoesNotTurnARayByABit(double k) {
+        Camera camera = new Camera(Vector.ZERO, new Vector(1, 2, 3), new Vector(0, 1, 0), 0.7, 1.3, new Fisheye(k));
+        Camera larger = new Camera(Vector.ZERO, new Vector(1, 2, 3).times(0x1p40), new Vector(0, 1, 0),
+            0.7 * 0x1p40, 1.3 * 0x1p40, new Fisheye(k));
+        for (int x = 0; x < 50; x++) {
+            assertEquals(new PixelRays(camera, 50, 50).through(x + 0.5, 20.5).map(Ray::direction),
+                new PixelRays(larger, 50, 50).through(x + 0.5, 20.5).map(Ray::direction));
+        }
+    }
+}
