@@ -1,0 +1,39 @@
+package raytracing.shade;
+
+import raytracing.math.Powers;
+import raytracing.math.Vector;
+import raytracing.scene.Light;
+import raytracing.scene.Material;
+
+/** Reflection of light at one point: Phong, Illumination for Computer Generated Pictures, CACM 18:6, 1975. */
+final class Phong {
+    private Phong() {
+    }
+
+    /**
+     * The mirror image of a direction.
+     *
+     * @param incident unit vector
+     * @param normal unit vector
+     * @return the unit direction in which a mirror with that normal sends on what comes along {@code incident}
+     */
+    static Vector mirrored(Vector incident, Vector normal) {
+        return incident.plus(-2 * incident.dot(normal), normal).unit();
+    }
+
+    /**
+     * Factor on the specular colour: the light's specular intensity times max(0, R.V)^n. As a mirror is its own
+     * inverse, R.V, the light's mirror image against the eye, is also L.M, the light against the eye's mirror image.
+     *
+     * @param material of the surface
+     * @param light the light
+     * @param cosine L.M
+     * @return at least 0
+     */
+    static double highlight(Material material, Light light, double cosine) {
+        if (material.specular().isBlack()) {
+            return 0;
+        }
+        return light.specularIntensity() * Powers.power(Math.max(0, cosine), material.phongExponent());
+    }
+}

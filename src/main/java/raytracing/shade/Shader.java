@@ -1,0 +1,131 @@
+package raytracing.shade;
+
+import java.util.List;
+import java.util.Optional;
+import raytracing.color.Color;
+import raytracing.compiled.CompiledScene;
+import raytracing.geometry.Hit;
+import raytracing.geometry.Ray;
+import raytracing.math.CounterRandom;
+import raytracing.math.Vector;
+import raytracing.scene.Light;
+import raytracing.scene.Material;
+import raytracing.scene.Scene;
+
+/**
+ * The light that a ray of the eye brings back. A pure function of scene, ray and random key; thread-safe.
+ *
+ * <p>At each surface: colour = behind * transparency + (diffuse + specular) * (1 - transparency) + mirrored *
+ * reflection. Written as a sum over all surfaces that contribute, each with the product of the factors on its way to
+ * the eye as its weight, this needs no recursion: a ray goes straight on through transparent surfaces, and whatever
+ * it sends aside into mirrors waits among the {@link Branches}.
+ */
+public final class Shader {
+    /** Counter of the key for a surface's mirrored ray; its lights use the counters from 0 on. */
+    private static final long MIRROR = -1;
+
+    private final CompiledScene compiled;
+    private final List<Material> materials;
+    private final List<Light> lights;
+    private final Color background;
+    private final int maxReflections;
+    private final SoftShadows shadows;
+    private final double negligibleWeight;
+
+    /**
+     * Prepares the shading of a scene.
+     *
+     * @param scene materials, lights and settings
+     * @param compiled the same scene's surfaces
+     */
+    public Shader(Scene scene, CompiledScene compiled) {
+        this(scene, compiled, Branches.NEGLIGIBLE_WEIGHT);
+    }
+
+    /** With another weight below which light is not followed: 0 follows all of it. */
+    Shader(Scene scene, CompiledScene compiled, double negligibleWeight) {
+        this.compiled = compiled;
+        this.negligibleWeight = negligibleWeight;
+        materials = scene.materials();
+        lights = scene.lights();
+        background = scene.settings().background();
+        maxReflections = scene.settings().maxReflections();
+        shadows = new SoftShadows(compiled, scene.settings().shadowRayRoot());
+    }
+
+    /**
+     * What the eye sees along a ray.
+     *
+     * @param ray from the eye, unit direction
+     * @param key of all random numbers on the way; the same key gives the same light
+     * @return linear light, not clamped; each channel at least 0
+     */
+    public Color light(Ray ray, long key) {
+        LightSum pixel = new LightSum();
+        Branches branches = new Branches(negligibleWeight);
+        follow(ray, Color.WHITE, 0, key, pixel, branches);
+        for (Optional<Branches.Branch> next = branches.next(); next.isPresent(); next = branches.next()) {
+            Branches.Branch branch = next.get();
+            follow(branch.ray(), branch.weight(), branch.reflections(), branch.key(), pixel, branches);
+        }
+        pixel.add(1, branches.weightLeftOut(), background);
+        return pixel.total();
+    }
+
+    /** What one straight ray adds to the pixel: the surfaces along it up to the first opaque one, then the background. */
+    private void follow(Ray ray, Color rayWeight, int reflections, long key, LightSum pixel, Branches branches) {
+        Color weight = rayWeight;
+        int passed = 0;
+        for (Optional<Hit> next = compiled.firstHit(ray); next.isPresent(); next = compiled.nextHit(ray, next.get())) {
+            Hit hit = next.get();
+            Material material = materials.get(hit.material());
+            double transparency = material.transparency();
+            long hitKey = CounterRandom.bits(key, passed++);
+            Vector mirrored = Phong.mirrored(ray.direction(), hit.normal());
+            if (transparency < 1) {
+                pixel.add(1 - transparency, weight, directLight(material, hit, mirrored, hitKey));
+            }
+            if (!material.reflection().isBlack()) {
+                Color mirrorWeight = weight.times(material.reflection());
+                if (reflections == maxReflections) {
+                    pixel.add(1, mirrorWeight, background);
+                } else {
+                    long mirrorKey = CounterRandom.bits(hitKey, MIRROR);
+                    branches.add(hit.leaving(mirrored), mirrorWeight, reflections + 1, mirrorKey);
+                }
+            }
+            if (transparency == 0) {
+                return;
+            }
+            weight = weight.times(transparency);
+            if (branches.isNegligible(weight)) {
+                break;                       // the background stands for whatever is behind
+            }
+        }
+        pixel.add(1, weight, background);
+    }
+
+    /**
+     * Diffuse and specular light of all lamps that reach this side of the surface: the sum of
+     * share * light * (Kd (N.L) + Ks intensity max(0, R.V)^n) over the lights that the surface faces.
+     */
+    private Color directLight(Material material, Hit hit, Vector mirrored, long hitKey) {
+        LightSum sum = new LightSum();
+        for (int i = 0; i < lights.size(); i++) {
+            Light light = lights.get(i);
+            Vector toLight = light.position().minus(hit.point());
+            double distance = toLight.length();
+            double facing = hit.normal().dot(toLight) / distance;
+            if (!(facing > 0)) {             // this way round, a light at the point itself lights nothing
+                continue;
+            }
+            double highlight = Phong.highlight(material, light, mirrored.dot(toLight) / distance);
+            if (highlight > 0 || !material.diffuse().isBlack()) {
+                double share = shadows.arrivingShare(hit, light, CounterRandom.bits(hitKey, i));
+                sum.add(share * facing, material.diffuse(), light.color());
+                sum.add(share * highlight, material.specular(), light.color());
+            }
+        }
+        return sum.total();
+    }
+}

@@ -1,0 +1,238 @@
+package raytracing.shade;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.SceneText;
+import raytracing.color.Color;
+import raytracing.compiled.CompiledScene;
+import raytracing.compiled.ShadowMode;
+import raytracing.geometry.Ray;
+import raytracing.math.Vector;
+import raytracing.scene.Scene;
+
+/** Every expected value is derived by hand from SPEC's formula; the derivation is the test's last remark. */
+class ShaderTest {
+    private static final String CAM = "cam 0 0 -5 0 0 0 0 1 0 1 1";
+    private static final String SET = "set 0.1 0.2 0.4   1 10";
+    private static final String WHITE_LIGHT = " 1 1 1 ";
+
+    private static Color light(Ray ray, String... lines) {
+        Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
+        return new Shader(scene, compiled(scene)).light(ray, 1);
+    }
+
+    /** With nothing left out: for tests whose light comes from far down a chain of reflections. */
+    private static Color allLight(Ray ray, String... lines) {
+        Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
+        return new Shader(scene, compiled(scene), 0).light(ray, 1);
+    }
+
+    private static CompiledScene compiled(Scene scene) {
+        return new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+    }
+
+    private static final Ray ALONG_Z = new Ray(new Vector(0, 0, -5), new Vector(0, 0, 1));
+
+    private static void assertColor(double red, double green, double blue, Color found) {
+        assertEquals(red, found.red(), 1e-14);
+        assertEquals(green, found.green(), 1e-14);
+        assertEquals(blue, found.blue(), 1e-14);
+    }
+
+    @Test
+    void aRayThatMeetsNothingSeesTheBackground() {
+        assertColor(0.1, 0.2, 0.4, light(ALONG_Z, SET));
+    }
+
+    @Test
+    void aSurfaceWithoutLightIsBlack() {
+        assertColor(0, 0, 0, light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  10 0", "pln 0 0 1 0 1"));
+    }
+
+    /** The light stands at the eye's height, 45 degrees aside: N.L = sqrt(1/2), so Kd light N.L. */
+    @Test
+    void diffuseLightFallsWithTheCosine() {
+        Color found = light(ALONG_Z, SET, "mtl 0.5 1 0.25  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
+            "lgt 5 0 -5  1 0.5 2  1 1 0");
+        assertColor(0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), found);
+    }
+
+    /** N.L = cos 60 = 1/2; the mirror image of L is 60 degrees from the eye: R.V = 1/2, squared 1/4, times 0.8, 0.5. */
+    @Test
+    void highlightsFallWithThePowerOfTheCosineToTheMirrorImage() {
+        double height = 5 / Math.tan(Math.toRadians(30));
+        Color found = light(ALONG_Z, SET, "mtl 0.2 0.2 0.2  0.8 0.4 0  0 0 0  2 0", "pln 0 0 1 0 1",
+            "lgt 0 " + height + " -5 " + WHITE_LIGHT + " 0.5 1 0");
+        assertColor(0.1 + 0.1, 0.1 + 0.05, 0.1, found);
+    }
+
+    @Test
+    void lightsAddUp() {
+        Color found = light(ALONG_Z, SET, "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
+            "lgt 0 0 -5  1 0 0  1 1 0", "lgt 0 0 -9  0 1 0  1 1 0", "lgt 0 0 -1  0 0.5 0.5  1 1 0");
+        assertColor(0.5, 0.75, 0.25, found);
+    }
+
+    /** The course's program forgot the max of both terms: negative light, and even exponents that shine from behind. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4})
+    void aLightBehindTheSurfaceGivesNeitherDiffuseNorSpecularLight(int exponent) {
+        Color found = light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  " + exponent + " 0", "pln 0 0 1 0 1",
+            "lgt 0 0 7" + WHITE_LIGHT + "1 0 0");
+        assertColor(0, 0, 0, found);
+    }
+
+    /** The mirror image points 120 degrees from the eye: a negative cosine counts as 0, and 0^0 is 1. */
+    @ParameterizedTest
+    @CsvSource({"2, 0", "1, 0", "0, 1"})
+    void aMirrorImageTurnedAwayFromTheEyeShowsNoHighlight(double exponent, double expected) {
+        Ray grazing = new Ray(new Vector(-Math.sqrt(3), 0, -1), new Vector(Math.sqrt(3) / 2, 0, 0.5));
+        double sine = Math.sqrt(3) / 2;      // light on the eye's side, as flat as the eye: R.V = -cos 60
+        Color found = light(grazing, SET, "mtl 0 0 0  1 1 1  0 0 0 " + exponent + " 0", "pln 0 0 1 0 1",
+            "lgt " + -9 * sine + " 0 -4.5 " + WHITE_LIGHT + " 1 1 0");
+        assertColor(expected, expected, expected, found);
+    }
+
+    @Test
+    void aLightExactlyAtTheShadedPointLightsNothing() {
+        Color found = light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  2 0", "pln 0 0 1 0 1",
+            "lgt 0 0 0" + WHITE_LIGHT + "1 1 1");
+        assertColor(0, 0, 0, found);
+    }
+
+    /** Intensity = (1 - s) + s * share, and a hidden light's share is 0. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.25, 0.9, 1})
+    void aHiddenLightIsMultipliedByOneMinusItsShadowIntensity(double shadow) {
+        Color found = light(ALONG_Z, SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 1",
+            "lgt 0 10 -10" + WHITE_LIGHT + "1 " + shadow + " 0");
+        double facing = Math.sqrt(0.5);
+        assertColor((1 - shadow) * facing, (1 - shadow) * facing, (1 - shadow) * facing, found);
+    }
+
+    /** Two opaque balls in line: the exercise does not accumulate shadow intensity. */
+    @Test
+    void severalOccludersCastNoDeeperShadowThanOne() {
+        Color found = light(ALONG_Z, SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 1",
+            "sph 0 7 -7 0.5 1", "lgt 0 10 -10" + WHITE_LIGHT + "1 0.5 0");
+        assertColor(0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), found);
+    }
+
+    /** Two glass balls in line let through 0.5 * 0.25; s = 0.8: 0.2 + 0.8 * 0.125 = 0.3. */
+    @Test
+    void lightThroughTransparentSurfacesIsWeakenedByEach() {
+        Color found = light(ALONG_Z, SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "mtl 0 0 0  0 0 0  0 0 0  1 0.5",
+            "mtl 0 0 0  0 0 0  0 0 0  1 0.25", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 2", "box 0 7 -7 0.5 3",
+            "lgt 0 10 -10" + WHITE_LIGHT + "1 0.8 0");
+        assertColor(0.3 * Math.sqrt(0.5), 0.3 * Math.sqrt(0.5), 0.3 * Math.sqrt(0.5), found);
+    }
+
+    /** behind * 0.75 + lit * 0.25, with a light at the eye: N.L = 1 on both. */
+    @Test
+    void aTransparentSurfaceMixesItsColourWithWhatIsBehind() {
+        Color found = light(ALONG_Z, SET, "mtl 1 0 0  0 0 0  0 0 0  1 0.75", "mtl 0 1 1  0 0 0  0 0 0  1 0",
+            "sph 0 0 0 1 1", "pln 0 0 1 3 2", "lgt 0 0 -5" + WHITE_LIGHT + "1 0 0");
+        assertColor(0.25, 0.75, 0.75, found);
+    }
+
+    /** One half for every surface that the straight ray meets; the far wall of each would make it an eighth or less. */
+    @ParameterizedTest
+    @ValueSource(strings = {"sph 0 0 0 1 1", "box 0 0 0 2 1"})
+    void aTransparentBodyCountsOnceAlongAStraightRay(String body) {
+        Color found = light(ALONG_Z, "set 1 1 1 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.5", body);
+        assertColor(0.5, 0.5, 0.5, found);
+    }
+
+    @Test
+    void nestedTransparentBodiesCountOnceEach() {
+        Color found = light(ALONG_Z, "set 1 1 1 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.5",
+            "sph 0 0 0 1 1", "sph 0 0 0 2 1", "sph 0 0 0 3 1", "box 0 0 0 1 1");
+        assertColor(1 / 16.0, 1 / 16.0, 1 / 16.0, found);
+    }
+
+    /** Fully transparent with mirror colour 0.25: what is behind, 1 of the background, plus 0.25 of it mirrored. */
+    @Test
+    void reflectionIsAddedAfterTransparency() {
+        Color found = light(ALONG_Z, SET, "mtl 0 0 0  0 0 0  0.25 0.25 0.25  1 1", "sph 0 0 0 1 1");
+        assertColor(1.25 * 0.1, 1.25 * 0.2, 1.25 * 0.4, found);
+    }
+
+    /** The mirror at z = 0 shows the wall at z = -9 behind the eye, lit from the eye: N.L = 1. */
+    @Test
+    void aMirrorShowsWhatIsBehindTheEye() {
+        Color found = light(ALONG_Z, SET, "mtl 0 0 0  0 0 0  0.5 0.5 1  1 0", "mtl 1 0.5 0.25  0 0 0  0 0 0  1 0",
+            "pln 0 0 1 0 1", "pln 0 0 1 -9 2", "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
+        assertColor(0.5, 0.25, 0.25, found);
+    }
+
+    /**
+     * Between two mirrors of 1/2 that shine with 1 themselves: 1 + 1/2 + ... + 1/2^M, then 1/2^(M+1) of the background,
+     * as if the surface of reflection M + 1 did not exist.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 10, 40, 1000})
+    void theRecursionLimitReplacesTheNextMirroredRayByTheBackground(int most) {
+        double background = 3;
+        Color found = allLight(ALONG_Z, "set 3 3 3 1 " + most, "mtl 1 1 1  0 0 0  0.5 0.5 0.5  1 0", "pln 0 0 1 0 1",
+            "pln 0 0 1 -9 1", "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
+        double shining = 2 - Math.scalb(1.0, -most);
+        double expected = shining + Math.scalb(background, -most - 1);
+        assertColor(expected, expected, expected, found);
+    }
+
+    /** Along a single chain of mirrors only one ray is ever left out: light of at most 3 times a negligible weight. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 0.5, 0.9})
+    void leavingOutNegligibleLightChangesLessThanItsWeight(double mirror) {
+        String material = "mtl 1 1 1  0 0 0  " + (mirror + " ").repeat(3) + " 1 0";
+        String[] lines = {"set 3 3 3 1 1000", material, "pln 0 0 1 0 1", "pln 0 0 1 -9 1",
+            "lgt 0 0 -5 2 2 2 1 1 0"};
+        double all = allLight(ALONG_Z, lines).red();
+        double without = light(ALONG_Z, lines).red();
+        double ahead = 2 / (1 - mirror);     // what the chain shines with from any mirror on, with no end
+        assertEquals(all, without, Branches.NEGLIGIBLE_WEIGHT * Math.abs(ahead - 3));
+        assertTrue(all != without, "nothing was left out");
+    }
+
+    /** From the middle of a mirrored ball every ray comes straight back, M times, then sees the background. */
+    @ParameterizedTest
+    @ValueSource(strings = {"sph 0 0 0 2 1", "box 0 0 0 4 1"})
+    void aMirroredBodyReflectsItselfFromInside(String body) {
+        Ray fromTheMiddle = new Ray(Vector.ZERO, new Vector(0, 0, 1));
+        Color found = light(fromTheMiddle, "set 1 1 1 1 3", "mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 0", body);
+        assertColor(1 / 16.0, 1 / 16.0, 1 / 16.0, found);
+    }
+
+    @Test
+    void hugeAndTinyColoursAreMultipliedLikeAnyOthers() {
+        Color found = light(ALONG_Z, SET, "mtl 1e200 0 1e-200  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
+            "lgt 0 0 -5 1e100 1 1e-100  1 1 0");
+        assertEquals(1e300, found.red(), 1e286);
+        assertEquals(0, found.green());
+        assertEquals(1e-300, found.blue(), 1e-314);
+    }
+
+    /**
+     * Every ray splits at each of 20 mirroring glass balls, so 20^10 rays would be followed without a limit. The balls
+     * are black, so all the light there is comes from the background, by weights that add up the same whatever is left
+     * out: everything passes (1), and whatever is mirrored (1 at each first wall) adds to it.
+     */
+    @Test
+    void aHallOfTransparentMirrorsEnds() {
+        StringBuilder balls = new StringBuilder("mtl 0 0 0  0 0 0  1 1 1  1 1\n");
+        for (int i = 1; i <= 20; i++) {
+            balls.append("sph 0 0 0 ").append(i / 4.1).append(" 1\n");
+        }
+        Color found = assertTimeoutPreemptively(Duration.ofSeconds(60),
+            () -> light(ALONG_Z, "set 0.25 0.5 1 1 10", balls.toString()));
+        assertEquals(2 * found.red(), found.green(), 1e-9 * found.green());
+        assertTrue(found.red() > 0.25 * 20);
+    }
+}

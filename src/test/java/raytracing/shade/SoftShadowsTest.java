@@ -1,0 +1,141 @@
+package raytracing.shade;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.SceneText;
+import raytracing.compiled.CompiledScene;
+import raytracing.compiled.ShadowMode;
+import raytracing.geometry.Departure;
+import raytracing.geometry.Hit;
+import raytracing.math.CounterRandom;
+import raytracing.math.Vector;
+import raytracing.scene.Scene;
+
+/** A point on the floor y = 0 under a light 10 above it, two wide. */
+class SoftShadowsTest {
+    private static final String HEAD = """
+        cam 0 5 -5 0 0 0 0 1 0 1 1
+        set 0 0 0 1 1
+        mtl 1 1 1 0 0 0 0 0 0 1 0
+        mtl 1 1 1 0 0 0 0 0 0 1 0.5
+        pln 0 1 0 0 1
+        """;
+    private static final Hit FLOOR = new Hit(0, 0, 1, Vector.ZERO, new Vector(0, 1, 0), Departure.OUTWARD);
+
+    private static double share(int root, long key, double shadowIntensity, double width, String... surfaces) {
+        Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces)
+            + "\nlgt 0 10 0 1 1 1 1 " + shadowIntensity + " " + width);
+        CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        return new SoftShadows(compiled, root).arrivingShare(FLOOR, scene.lights().get(0), key);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 5})
+    void withNothingInBetweenAllLightArrives(int root) {
+        assertEquals(1, share(root, 1, 1, 2));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 5})
+    void behindAWallNoLightArrives(int root) {
+        assertEquals(0, share(root, 1, 1, 2, "pln 0 1 0 5 1"));
+    }
+
+    @ParameterizedTest(name = "s = {0}")
+    @CsvSource({"0, 1", "0.25, 0.75", "0.9, 0.1", "1, 0"})
+    void theExercisesFormulaKeepsOneMinusSInTheShadow(double shadowIntensity, double expected) {
+        assertEquals(expected, share(3, 1, shadowIntensity, 2, "pln 0 1 0 5 1"), 1e-15);
+    }
+
+    @Test
+    void oneRayGoesToTheMiddleOfTheLight() {
+        assertEquals(1, share(1, 1, 1, 2, "sph 0.2 5 0 0.19 1"));
+        assertEquals(0, share(1, 1, 1, 2, "sph 0.2 5 0 0.21 1"));
+    }
+
+    @Test
+    void aLightWithoutWidthCastsHardShadowsWhateverTheRoot() {
+        assertEquals(1, share(7, 1, 1, 0, "sph 0.2 5 0 0.19 1"));
+        assertEquals(0, share(7, 1, 1, 0, "sph 0.2 5 0 0.21 1"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void theShareIsAMultipleOfOneOverTheNumberOfRays(int root) {
+        double rays = share(root, 3, 1, 2, "sph 0.4 5 0 0.3 1") * root * root;
+        assertEquals(Math.rint(rays), rays, 1e-12);
+        assertTrue(rays > 0 && rays < root * root);
+    }
+
+    /**
+     * A small ball well within the cone to the light hides the part of the square inside its shadow cone. In the
+     * light's plane, at height 10, the cone around a ball of radius r at height 5 straight above the point is a disc
+     * of radius R = 10 r / sqrt(25 - r r); it lies inside the square of width 2 for R below 1. The share hidden is
+     * pi R R / 4.
+     *
+     * <p>Stratified samples have less variance than free ones, so with 400 keys of 64 rays the mean's standard error
+     * is below sqrt(p (1 - p) / 25600). Five of them: a false alarm less than once in a million runs. The keys are
+     * fixed, so the run is always the same.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.25, 0.45})
+    void theMeanShareBehindABallIsThatOfItsShadowCone(double radius) {
+        double disc = 10 * radius / Math.sqrt(25 - radius * radius);
+        double hidden = Math.PI * disc * disc / 4;
+        assertMean(1 - hidden, hidden, "sph 0 5 0 " + radius + " 1");
+    }
+
+    @Test
+    void aTransparentBallHidesHalfOfWhatAnOpaqueOneDoes() {
+        double disc = 10 * 0.4 / Math.sqrt(25 - 0.16);
+        double hidden = Math.PI * disc * disc / 4;
+        assertMean(1 - hidden / 2, hidden, "sph 0 5 0 0.4 2");
+    }
+
+    /**
+     * The lower face at height 4 reaches from above the point to x = 4: in perspective it covers the half x > 0 of
+     * the light; moved along z as well, a quarter. The border lies between two cells, so no sample is in doubt.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 4, 8})
+    void aBoxHidesWhatItsLowerFaceCoversInPerspective(int root) {
+        assertEquals(0.5, share(root, 1, 1, 2, "box 2 6 0 4 1"));
+        assertEquals(0.75, share(root, 1, 1, 2, "box 2 6 2 4 1"));
+        assertEquals(0.75, share(root, 1, 1, 2, "box 2 6 0 4 2"));
+    }
+
+    private static void assertMean(double expected, double hidden, String surface) {
+        int keys = 400;
+        int root = 8;
+        double sum = 0;
+        for (int i = 0; i < keys; i++) {
+            sum += share(root, CounterRandom.bits(5, i), 1, 2, surface);
+        }
+        double standardError = Math.sqrt(hidden * (1 - hidden) / ((double) keys * root * root));
+        assertEquals(expected, sum / keys, 5 * standardError);
+    }
+
+    /** Jitter of n cells a side errs by about n^-1.5: from 4 to 16 the spread must fall well below a half. */
+    @Test
+    void moreRaysMeanLessNoise() {
+        assertTrue(spread(16) < 0.3 * spread(4));
+        assertTrue(spread(4) > 0);
+    }
+
+    private static double spread(int root) {
+        double sum = 0;
+        double squares = 0;
+        int keys = 200;
+        for (int i = 0; i < keys; i++) {
+            double share = share(root, CounterRandom.bits(6, i), 1, 2, "sph 0 5 0 0.3 1");
+            sum += share;
+            squares += share * share;
+        }
+        return Math.sqrt(squares / keys - sum / keys * (sum / keys));
+    }
+}
