@@ -1,0 +1,122 @@
+package raytracing.film;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.Optional;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
+
+/**
+ * A picture file that appears under its name whole or not at all: it is written beside it under another name, and
+ * renamed when complete. Whatever stood there before stays until then.
+ */
+public final class ImageFile {
+    private static final float JPEG_QUALITY = 0.95f;
+    private static final String UNFINISHED = ".part";
+
+    private final Path path;
+    private final ImageFormat format;
+
+    /**
+     * A file that may not exist yet.
+     *
+     * @param path where; a link is followed, so that what it points to is replaced and not the link
+     * @param format what to write, whatever the name says
+     */
+    public ImageFile(Path path, ImageFormat format) {
+        this.path = followed(path);
+        this.format = format;
+    }
+
+    private static Path followed(Path path) {
+        try {
+            return path.toRealPath();
+        } catch (IOException notThereYet) {
+            return path.toAbsolutePath();
+        }
+    }
+
+    /**
+     * Finds out, before any work is done, why this file could not be written.
+     *
+     * @return what is in the way, a sentence without the file's name; none if nothing is
+     */
+    public Optional<String> obstacle() {
+        Path folder = folder();
+        if (!Files.isDirectory(folder)) {
+            return Optional.of("no such folder");
+        }
+        if (!Files.isWritable(folder)) {
+            return Optional.of("may not write in this folder");
+        }
+        if (Files.isDirectory(path)) {
+            return Optional.of("is a folder, expected a file name");
+        }
+        if (Files.exists(path) && !(Files.isRegularFile(path) && Files.isWritable(path))) {
+            return Optional.of("exists and may not be replaced");
+        }
+        return Optional.empty();
+    }
+
+    private Path folder() {
+        Path parent = path.getParent();
+        return parent == null ? path : parent;
+    }
+
+    /**
+     * Writes the picture.
+     *
+     * @param film the picture
+     * @throws IOException if it cannot be written; then whatever stood there before still does
+     */
+    public void write(Film film) throws IOException {
+        String name = "." + path.getFileName() + "." + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX);
+        Path unfinished = folder().resolve(name + UNFINISHED);
+        unfinished.toFile().deleteOnExit();  // also when a signal ends the program while it writes
+        try {
+            try (OutputStream stream = Files.newOutputStream(unfinished, StandardOpenOption.CREATE_NEW)) {
+                encode(film.toImage(), stream);
+            }
+            moveIntoPlace(unfinished);
+        } finally {
+            Files.deleteIfExists(unfinished);
+        }
+    }
+
+    private void encode(BufferedImage image, OutputStream stream) throws IOException {
+        ImageIO.setUseCache(false);          // its cache is a file in another folder, which may be full or forbidden
+        ImageWriter writer = ImageIO.getImageWritersByFormatName(format.imageIoName()).next();
+        try (ImageOutputStream output = ImageIO.createImageOutputStream(stream)) {
+            writer.setOutput(output);
+            writer.write(null, new IIOImage(image, null, null), parameters(writer));
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    private ImageWriteParam parameters(ImageWriter writer) {
+        ImageWriteParam parameters = writer.getDefaultWriteParam();
+        if (format == ImageFormat.JPEG) {
+            parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+            parameters.setCompressionQuality(JPEG_QUALITY);
+        }
+        return parameters;
+    }
+
+    private void moveIntoPlace(Path unfinished) throws IOException {
+        try {
+            Files.move(unfinished, path, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException rareFileSystem) {
+            Files.move(unfinished, path, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+}

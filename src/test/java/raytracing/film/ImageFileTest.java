@@ -1,0 +1,128 @@
+package raytracing.film;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.color.Color;
+
+class ImageFileTest {
+    @TempDir
+    private Path folder;
+
+    private static Film film() {
+        Film film = new Film(8, 4);
+        for (int x = 0; x < 8; x++) {
+            for (int y = 0; y < 4; y++) {
+                film.set(x, y, new Color(x / 7.0, y / 3.0, 0.2));
+            }
+        }
+        return film;
+    }
+
+    private List<String> filesInFolder() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"PNG", "BMP"})
+    void losslessFormatsGiveEveryPixelBack(ImageFormat format) throws IOException {
+        Path path = folder.resolve("picture");
+        new ImageFile(path, format).write(film());
+        BufferedImage read = ImageIO.read(path.toFile());
+        BufferedImage written = film().toImage();
+        for (int x = 0; x < 8; x++) {
+            for (int y = 0; y < 4; y++) {
+                assertEquals(written.getRGB(x, y), read.getRGB(x, y));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"PNG, png", "JPEG, JPEG", "BMP, bmp", "GIF, gif"})
+    void theFileIsOfTheFormatAskedFor(ImageFormat format, String imageIoName) throws IOException {
+        Path path = folder.resolve("picture");
+        new ImageFile(path, format).write(film());
+        try (var stream = ImageIO.createImageInputStream(path.toFile())) {
+            assertEquals(imageIoName, ImageIO.getImageReaders(stream).next().getFormatName());
+        }
+        assertEquals(8, ImageIO.read(path.toFile()).getWidth());
+    }
+
+    @Test
+    void nothingButTheFinishedFileIsLeft() throws IOException {
+        new ImageFile(folder.resolve("picture.png"), ImageFormat.PNG).write(film());
+        assertEquals(List.of("picture.png"), filesInFolder());
+    }
+
+    @Test
+    void anOlderFileIsReplaced() throws IOException {
+        Path path = folder.resolve("picture.png");
+        Files.writeString(path, "older");
+        new ImageFile(path, ImageFormat.PNG).write(film());
+        assertEquals(4, ImageIO.read(path.toFile()).getHeight());
+    }
+
+    @Test
+    void aLinkStaysALinkAndItsTargetIsReplaced() throws IOException {
+        Path target = Files.writeString(folder.resolve("target.png"), "older");
+        Path link = Files.createSymbolicLink(folder.resolve("link.png"), target);
+        new ImageFile(link, ImageFormat.PNG).write(film());
+        assertTrue(Files.isSymbolicLink(link));
+        assertEquals(8, ImageIO.read(target.toFile()).getWidth());
+    }
+
+    /** The target becomes a folder after the check, so the last step fails: the picture is complete, the move is not. */
+    @Test
+    void afterAFailureNothingIsLeftAndWhatStoodThereStillDoes() throws IOException {
+        Path path = Files.createDirectory(folder.resolve("picture.png"));
+        Files.writeString(path.resolve("inside"), "older");
+        assertThrows(IOException.class, () -> new ImageFile(path, ImageFormat.PNG).write(film()));
+        assertEquals(List.of("picture.png"), filesInFolder());
+        assertArrayEquals("older".getBytes(), Files.readAllBytes(path.resolve("inside")));
+    }
+
+    @Test
+    void obstaclesAreFoundBeforeAnyWork() throws IOException {
+        Path existing = Files.writeString(folder.resolve("older.png"), "older");
+        assertEquals(Optional.empty(), obstacle(existing));
+        assertEquals(Optional.empty(), obstacle(folder.resolve("new.png")));
+        assertEquals(Optional.of("no such folder"), obstacle(folder.resolve("none/new.png")));
+        assertEquals(Optional.of("no such folder"), obstacle(existing.resolve("new.png")));
+        assertEquals(Optional.of("is a folder, expected a file name"), obstacle(folder));
+        assertEquals(Optional.of("exists and may not be replaced"), obstacle(Path.of("/dev/null")));
+    }
+
+    private static Optional<String> obstacle(Path path) {
+        return new ImageFile(path, ImageFormat.PNG).obstacle();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"a.png, PNG", "a.PNG, PNG", "b.c.jpg, JPEG", "a.jpeg, JPEG", "x/y.bmp, BMP", "a.gif, GIF"})
+    void theEndingChoosesTheFormat(String name, ImageFormat expected) {
+        assertEquals(Optional.of(expected), ImageFormat.ofEnding(name));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a.tif", "png", "a.", "a", "a.png.txt", "a.pngx", ""})
+    void anUnknownEndingHasNoFormat(String name) {
+        assertFalse(ImageFormat.ofEnding(name).isPresent());
+    }
+}
