@@ -1,0 +1,188 @@
+package raytracing.command;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import raytracing.compiled.ShadowMode;
+import raytracing.film.Film;
+import raytracing.film.ImageFormat;
+import raytracing.parse.RayTracerException;
+import raytracing.render.RenderSettings;
+
+/**
+ * Reads the words of a command line: SCENE OUTPUT [WIDTH HEIGHT], and options that may stand anywhere before a
+ * {@code --}. A value follows its option as the next word or after an equals sign; of an option given twice, the last
+ * counts.
+ */
+public final class CommandLine {
+    /** What {@code --help} prints. */
+    public static final String HELP = """
+        usage: java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]
+
+        Draws the scene file SCENE into the picture file OUTPUT, 500 x 500 pixels unless
+        WIDTH and HEIGHT say otherwise. The ending of OUTPUT chooses the format:
+        png, jpg, bmp or gif.
+
+        options (they may stand anywhere; "--threads 4" and "--threads=4" are the same)
+          --threads N        use N threads instead of one for each processor
+          --seed N           use other random numbers for soft shadows; default 1
+          --opaque-shadows   transparent surfaces cast full shadows instead of letting
+                             light through
+          --help             print this text
+          --version          print the version
+          --                 take all further words as file names and sizes
+
+        examples
+          java -jar RayTracer.jar scenes/pool.txt pool.png
+          java -jar RayTracer.jar scenes/pool.txt wide.jpg 1920 1080 --threads 2
+
+        exit status: 0 done, 1 the machine failed (file, memory), 2 the scene or the
+        command is wrong, 130 interrupted
+        """;
+
+    private static final String USAGE = "expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
+    private static final int MOST_THREADS = 1024;
+
+    private final List<String> operands = new ArrayList<>();
+    private RenderSettings settings = RenderSettings.DEFAULT;
+    private boolean help;
+    private boolean version;
+
+    private CommandLine() {
+    }
+
+    /**
+     * Reads a command line.
+     *
+     * @param words as the program received them
+     * @return what they ask for
+     * @throws RayTracerException if they are wrong; the first thing that is
+     */
+    public static Command parse(String... words) throws RayTracerException {
+        CommandLine line = new CommandLine();
+        line.read(List.of(words));
+        if (line.help) {
+            return new Command.Help();
+        }
+        return line.version ? new Command.Version() : line.draw();
+    }
+
+    private void read(List<String> words) throws RayTracerException {
+        for (int i = 0; i < words.size(); i++) {
+            String word = words.get(i);
+            if (word.equals("--")) {
+                operands.addAll(words.subList(i + 1, words.size()));
+                return;
+            }
+            if (!isOption(word)) {
+                operands.add(word);
+                continue;
+            }
+            int equals = word.indexOf('=');
+            String name = equals < 0 ? word : word.substring(0, equals);
+            if (!takesValue(name)) {
+                if (equals >= 0) {
+                    throw new RayTracerException(name + ": takes no value, got " + word.substring(equals + 1));
+                }
+                setFlag(name);
+            } else if (equals >= 0) {
+                setValue(name, word.substring(equals + 1));
+            } else if (++i < words.size()) {
+                setValue(name, words.get(i));
+            } else {
+                throw new RayTracerException(name + ": needs a value, see --help");
+            }
+        }
+    }
+
+    /** A dash begins an option; alone or before a digit it is a bad file name or size, and is reported as that. */
+    private static boolean isOption(String word) {
+        return word.length() > 1 && word.charAt(0) == '-' && !Character.isDigit(word.charAt(1));
+    }
+
+    private static boolean takesValue(String name) throws RayTracerException {
+        return switch (name) {
+            case "--threads", "--seed" -> true;
+            case "--opaque-shadows", "--help", "--version" -> false;
+            default -> throw new RayTracerException(name + ": unknown option, expected --threads, --seed, "
+                + "--opaque-shadows, --help or --version");
+        };
+    }
+
+    private void setFlag(String name) {
+        switch (name) {
+            case "--opaque-shadows" -> settings = settings.withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT);
+            case "--help" -> help = true;
+            default -> version = true;
+        }
+    }
+
+    private void setValue(String name, String value) throws RayTracerException {
+        if (name.equals("--threads")) {
+            settings = settings.withWorkers(wholeNumber(name, value, MOST_THREADS), settings.tileSize());
+        } else {
+            settings = settings.withSeed(seed(value));
+        }
+    }
+
+    private static long seed(String value) throws RayTracerException {
+        try {
+            return Long.parseLong(value);
+        } catch (NumberFormatException notWhole) {
+            throw new RayTracerException("--seed: must be a whole number of at most 18 digits, got " + value);
+        }
+    }
+
+    private static int wholeNumber(String name, String value, int largest) throws RayTracerException {
+        try {
+            int number = Integer.parseInt(value);
+            if (number >= 1 && number <= largest) {
+                return number;
+            }
+        } catch (NumberFormatException notWhole) {
+            // said below, with the numbers out of range
+        }
+        throw new RayTracerException(name + ": must be a whole number from 1 to " + largest + ", got " + value);
+    }
+
+    private Command draw() throws RayTracerException {
+        if (operands.size() != 2 && operands.size() != 4) {
+            throw new RayTracerException(count(operands.size()) + ": " + USAGE);
+        }
+        String output = operands.get(1);
+        ImageFormat format = ImageFormat.ofEnding(output).orElseThrow(() ->
+            new RayTracerException(output + ": unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif"));
+        if (operands.size() == 4) {
+            settings = sized(format);
+        }
+        return new Command.Draw(path(operands.get(0)), path(output), format, settings);
+    }
+
+    private static String count(int operands) {
+        return switch (operands) {
+            case 0 -> "no scene and no output";
+            case 1 -> "no output";
+            case 3 -> "a width without a height";
+            default -> operands + " names and sizes";
+        };
+    }
+
+    private RenderSettings sized(ImageFormat format) throws RayTracerException {
+        int width = wholeNumber("width", operands.get(2), format.longestSide());
+        int height = wholeNumber("height", operands.get(3), format.longestSide());
+        if ((long) width * height > Film.MOST_PIXELS) {
+            throw new RayTracerException("size: must be at most " + Film.MOST_PIXELS + " pixels, got "
+                + width + " x " + height);
+        }
+        return settings.withSize(width, height);
+    }
+
+    private static Path path(String name) throws RayTracerException {
+        try {
+            return Path.of(name);
+        } catch (InvalidPathException invalid) {
+            throw new RayTracerException(name + ": no valid file name");
+        }
+    }
+}

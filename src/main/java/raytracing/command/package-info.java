@@ -1,0 +1,2 @@
+/** What the words of a command line ask for. */
+package raytracing.command;

@@ -1,0 +1,71 @@
+package raytracing.render;
+
+import raytracing.compiled.ShadowMode;
+
+/**
+ * What the command, not the scene, decides about a picture. Only the first four decide what is in it.
+ *
+ * @param width of the picture in pixels, at least 1
+ * @param height of the picture in pixels, at least 1; width times height at most
+ *         {@link raytracing.film.Film#MOST_PIXELS}
+ * @param seed of all random numbers
+ * @param shadowMode what transparent surfaces do to light that falls through them
+ * @param threads how many work at once, at least 1
+ * @param tileSize edge of the squares that threads take in turn, in pixels, at least 1
+ */
+public record RenderSettings(int width, int height, long seed, ShadowMode shadowMode, int threads, int tileSize) {
+    /** Small enough that the last tiles end together, large enough that taking one costs nothing beside it. */
+    public static final int DEFAULT_TILE_SIZE = 16;
+
+    /** Width and height unless the user says otherwise. */
+    public static final int DEFAULT_SIZE = 500;
+
+    /** Seed unless the user says otherwise. */
+    public static final long DEFAULT_SEED = 1;
+
+    /** What is drawn when the user names a scene and nothing else. */
+    public static final RenderSettings DEFAULT = new RenderSettings(DEFAULT_SIZE, DEFAULT_SIZE, DEFAULT_SEED,
+        ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, Runtime.getRuntime().availableProcessors(), DEFAULT_TILE_SIZE);
+
+    /**
+     * The same for another size.
+     *
+     * @param newWidth in pixels, at least 1
+     * @param newHeight in pixels, at least 1
+     * @return these settings but for the size
+     */
+    public RenderSettings withSize(int newWidth, int newHeight) {
+        return new RenderSettings(newWidth, newHeight, seed, shadowMode, threads, tileSize);
+    }
+
+    /**
+     * The same for other random numbers.
+     *
+     * @param newSeed any number
+     * @return these settings but for the seed
+     */
+    public RenderSettings withSeed(long newSeed) {
+        return new RenderSettings(width, height, newSeed, shadowMode, threads, tileSize);
+    }
+
+    /**
+     * The same for other shadows.
+     *
+     * @param newShadowMode what transparent surfaces do to light that falls through them
+     * @return these settings but for the shadows
+     */
+    public RenderSettings withShadowMode(ShadowMode newShadowMode) {
+        return new RenderSettings(width, height, seed, newShadowMode, threads, tileSize);
+    }
+
+    /**
+     * The same work shared differently.
+     *
+     * @param newThreads how many work at once, at least 1
+     * @param newTileSize edge of the tiles in pixels, at least 1
+     * @return these settings but for the sharing
+     */
+    public RenderSettings withWorkers(int newThreads, int newTileSize) {
+        return new RenderSettings(width, height, seed, shadowMode, newThreads, newTileSize);
+    }
+}

@@ -1,0 +1,54 @@
+package raytracing;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * The finished jar in a process of its own, as users run it.
+ *
+ * @param status exit status
+ * @param output what it wrote to standard output
+ * @param errors what it wrote to standard error
+ */
+record Program(int status, String output, String errors) {
+    private static final Path JAR = Path.of(System.getProperty("raytracing.jar", "build/libs/RayTracer.jar"));
+    private static final long MINUTES = 2;
+
+    static Program run(Path folder, String... arguments) throws IOException, InterruptedException {
+        return run(Path.of(System.getProperty("java.home")), List.of(), folder, arguments);
+    }
+
+    static Program run(Path javaHome, List<String> javaOptions, Path folder, String... arguments)
+            throws IOException, InterruptedException {
+        Path output = Files.createTempFile("output", "");
+        Path errors = Files.createTempFile("errors", "");
+        try {
+            Process process = start(javaHome, javaOptions, folder, output, errors, arguments);
+            if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {
+                process.destroyForcibly();
+                throw new AssertionError("still running after " + MINUTES + " minutes");
+            }
+            return new Program(process.exitValue(), Files.readString(output), Files.readString(errors));
+        } finally {
+            Files.delete(output);
+            Files.delete(errors);
+        }
+    }
+
+    static Process start(Path javaHome, List<String> javaOptions, Path folder, Path output, Path errors,
+                         String... arguments) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(javaHome.resolve("bin/java").toString());
+        command.addAll(javaOptions);
+        command.addAll(List.of("-jar", JAR.toAbsolutePath().toString()));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile())
+            .redirectOutput(output.toFile()).redirectError(errors.toFile());
+        builder.environment().remove("JAVA_TOOL_OPTIONS");   // announces itself on standard error
+        return builder.start();
+    }
+}

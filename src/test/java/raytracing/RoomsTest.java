@@ -1,0 +1,66 @@
+package raytracing;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.CompositeArchRule;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Packages are rooms, and imports go one way: each room knows only those before it in this list. */
+@AnalyzeClasses(packages = "raytracing", importOptions = ImportOption.DoNotIncludeTests.class)
+class RoomsTest {
+    private static final List<String> ROOMS = List.of("math", "color", "geometry", "scene", "parse", "compiled",
+        "shade", "film", "render", "command");
+
+    @ArchTest
+    static final ArchRule everyClassLivesInARoomOrAtTheFrontDoor = classes().should().resideInAnyPackage(
+        ROOMS.stream().map(room -> "raytracing." + room).toArray(String[]::new))
+        .orShould().haveFullyQualifiedName("raytracing.RayTracer");
+
+    @ArchTest
+    static final ArchRule importsGoOneWay = importsGoOneWay();
+
+    private static ArchRule importsGoOneWay() {
+        List<ArchRule> rules = new ArrayList<>();
+        for (int i = 0; i < ROOMS.size(); i++) {
+            List<String> later = new ArrayList<>(List.of("raytracing"));
+            ROOMS.subList(i + 1, ROOMS.size()).forEach(room -> later.add("raytracing." + room));
+            rules.add(forbidden(ROOMS.get(i), later.toArray(String[]::new)));
+        }
+        return CompositeArchRule.of(rules);
+    }
+
+    private static ArchRule forbidden(String room, String... packages) {
+        return noClasses().that().resideInAPackage("raytracing." + room)
+            .should().dependOnClassesThat().resideInAnyPackage(packages);
+    }
+
+    @ArchTest
+    static final ArchRule geometryKnowsNoColours = forbidden("geometry", "raytracing.color");
+
+    @ArchTest
+    static final ArchRule filmKnowsOnlyColours = forbidden("film", "raytracing.math", "raytracing.geometry",
+        "raytracing.scene", "raytracing.parse", "raytracing.compiled", "raytracing.shade");
+
+    @ArchTest
+    static final ArchRule onlyTheFilmWritesPictures = noClasses().that().resideOutsideOfPackage("raytracing.film")
+        .should().dependOnClassesThat().resideInAnyPackage("javax.imageio..", "java.awt..");
+
+    @ArchTest
+    static final ArchRule onlyRenderUsesThreads = noClasses().that().resideOutsideOfPackage("raytracing.render")
+        .should().dependOnClassesThat().resideInAnyPackage("java.util.concurrent..")
+        .orShould().dependOnClassesThat().haveFullyQualifiedName("java.lang.Thread");
+
+    /** Math.sin, pow and the like may differ between machines; sqrt, fma, abs and the exact ones may not. */
+    @ArchTest
+    static final ArchRule pixelsDependOnNoFunctionThatDiffersBetweenMachines = noClasses().should()
+        .callMethodWhere(com.tngtech.archunit.base.DescribedPredicate.describe("Math's inexact functions",
+            call -> call.getTargetOwner().isEquivalentTo(Math.class) && List.of("sin", "cos", "tan", "asin", "acos",
+                "atan", "atan2", "exp", "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot", "sinh", "cosh",
+                "tanh", "random").contains(call.getName())));
+}

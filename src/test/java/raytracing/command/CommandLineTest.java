@@ -1,0 +1,115 @@
+package raytracing.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.compiled.ShadowMode;
+import raytracing.film.ImageFormat;
+import raytracing.parse.RayTracerException;
+import raytracing.render.RenderSettings;
+
+class CommandLineTest {
+    private static Command.Draw draw(String line) throws RayTracerException {
+        return (Command.Draw) CommandLine.parse(words(line));
+    }
+
+    private static String[] words(String line) {
+        return line.isEmpty() ? new String[0] : line.split(" ");
+    }
+
+    @Test
+    void twoNamesDrawASceneInTheDefaultSize() throws RayTracerException {
+        Command.Draw draw = draw("scene.txt out.png");
+        assertEquals(Path.of("scene.txt"), draw.scene());
+        assertEquals(Path.of("out.png"), draw.output());
+        assertEquals(ImageFormat.PNG, draw.format());
+        assertEquals(RenderSettings.DEFAULT, draw.settings());
+        assertEquals(500, draw.settings().width());
+        assertEquals(500, draw.settings().height());
+        assertEquals(1, draw.settings().seed());
+        assertEquals(Runtime.getRuntime().availableProcessors(), draw.settings().threads());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "s.txt o.png 30 20 --threads 3 --seed 5 --opaque-shadows",
+        "--opaque-shadows --seed=5 s.txt --threads=3 o.png 30 20",
+        "--threads 3 --seed 5 --opaque-shadows -- s.txt o.png 30 20",
+        "--threads 9 --threads 3 s.txt --seed 4 o.png --seed 5 30 --opaque-shadows --opaque-shadows 20",
+    })
+    void optionsMayStandAnywhereAndTheLastCounts(String line) throws RayTracerException {
+        RenderSettings settings = draw(line).settings();
+        assertEquals(RenderSettings.DEFAULT.withSize(30, 20).withSeed(5)
+            .withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT)
+            .withWorkers(3, RenderSettings.DEFAULT_TILE_SIZE), settings);
+    }
+
+    @Test
+    void afterTwoDashesEverythingIsAName() throws RayTracerException {
+        assertEquals(Path.of("--seed"), draw("-- --seed --help.png").scene());
+    }
+
+    @Test
+    void aSeedMayBeNegative() throws RayTracerException {
+        assertEquals(-7, draw("s.txt o.png --seed -7").settings().seed());
+    }
+
+    @Test
+    void helpAndVersionNeedNoNames() throws RayTracerException {
+        assertEquals(new Command.Help(), CommandLine.parse("--help"));
+        assertEquals(new Command.Version(), CommandLine.parse("--version"));
+        assertEquals(new Command.Help(), CommandLine.parse("s.txt", "--help"));
+    }
+
+    @ParameterizedTest(name = "[{index}] {0}")
+    @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
+        "\"\"                      | no scene and no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt                     | no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt o.png 30            | a width without a height: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt o.png 30 20 10      | 5 names and sizes: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt o.tif               | o.tif: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
+        "s.txt o                   | o: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
+        "s.txt o.gif 65536 2       | width: must be a whole number from 1 to 65535, got 65536",
+        "s.txt o.jpg 2 65501       | height: must be a whole number from 1 to 65500, got 65501",
+        "s.txt o.png 0 20          | width: must be a whole number from 1 to 2147483647, got 0",
+        "s.txt o.png 30 -20        | height: must be a whole number from 1 to 2147483647, got -20",
+        "s.txt o.png 30 2x         | height: must be a whole number from 1 to 2147483647, got 2x",
+        "s.txt o.png 30 2.0        | height: must be a whole number from 1 to 2147483647, got 2.0",
+        "s.txt o.png 99999 99999   | size: must be at most 715827879 pixels, got 99999 x 99999",
+        "s.txt o.png --threads 0   | --threads: must be a whole number from 1 to 1024, got 0",
+        "s.txt o.png --threads=1025 | --threads: must be a whole number from 1 to 1024, got 1025",
+        "s.txt o.png --threads     | --threads: needs a value, see --help",
+        "s.txt o.png --threads=    | --threads: must be a whole number from 1 to 1024, got",
+        "s.txt o.png --seed x      | --seed: must be a whole number of at most 18 digits, got x",
+        "s.txt o.png --seed 1e3    | --seed: must be a whole number of at most 18 digits, got 1e3",
+        "s.txt o.png --help=yes    | --help: takes no value, got yes",
+        "s.txt o.png --sead 1      | --sead: unknown option, expected --threads, --seed, --opaque-shadows, --help or --version",
+        "-h                        | -h: unknown option, expected --threads, --seed, --opaque-shadows, --help or --version",
+    })
+    void whatIsWrongIsSaidInOneLine(String line, String expected) {
+        RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
+        assertEquals(expected, wrong.getMessage().strip());
+    }
+
+    @Test
+    void namesThatNoFileCanHaveAreRefused() {
+        RayTracerException wrong =
+            assertThrows(RayTracerException.class, () -> CommandLine.parse("a\0b.txt", "o.png"));
+        assertTrue(wrong.getMessage().endsWith(": no valid file name"));
+    }
+
+    @Test
+    void theHelpFitsAScreenAndNamesEveryOption() {
+        assertTrue(CommandLine.HELP.lines().count() <= 24);
+        assertTrue(CommandLine.HELP.lines().allMatch(line -> line.length() <= 80));
+        for (String option : new String[] {"--threads", "--seed", "--opaque-shadows", "--help", "--version", "--"}) {
+            assertTrue(CommandLine.HELP.contains("  " + option + " "), option);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+package raytracing.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import raytracing.SceneText;
+import raytracing.color.Color;
+import raytracing.film.Film;
+import raytracing.geometry.Sphere;
+import raytracing.math.Vector;
+import raytracing.scene.Camera;
+import raytracing.scene.Material;
+import raytracing.scene.Pinhole;
+import raytracing.scene.Scene;
+
+class RendererTest {
+    /** Soft shadows, a mirror and a transparent ball: everything that draws random numbers. */
+    private static final Scene SCENE = SceneText.scene(
+        "cam 0 2 -6   0 0 0   0 1 0   1 1",
+        "set 0.2 0.3 0.4   3 4",
+        "mtl 0.8 0.8 0.8   0 0 0         0 0 0         1  0",
+        "mtl 0.9 0.2 0.2   0.5 0.5 0.5   0.3 0.3 0.3   20 0.6",
+        "mtl 0.1 0.1 0.1   0.5 0.5 0.5   0.8 0.8 0.8   50 0",
+        "pln 0 1 0  -1  1",
+        "sph -0.6 0 0  1  2",
+        "sph 0.9 0 0.5  1  3",
+        "lgt 3 5 -3   0.6 0.6 0.6   1 0.9 2",
+        "lgt -4 6 -1  0.4 0.4 0.4   1 0.7 1");
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(61, 47);
+
+    private static List<Color> pixels(Film film) {
+        List<Color> pixels = new ArrayList<>();
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                pixels.add(film.get(x, y));
+            }
+        }
+        return pixels;
+    }
+
+    @ParameterizedTest(name = "{0} threads, tiles of {1}")
+    @CsvSource({"1, 16", "2, 16", "3, 1", "2, 7", "7, 61", "4, 1000", "64, 5"})
+    void thePictureIsTheSameForEveryNumberOfThreadsAndEveryTileSize(int threads, int tileSize) {
+        List<Color> expected = pixels(new Renderer(SCENE, SMALL.withWorkers(1, 61)).render());
+        assertEquals(expected, pixels(new Renderer(SCENE, SMALL.withWorkers(threads, tileSize)).render()));
+    }
+
+    @Test
+    void anyPixelCanBeReplayed() {
+        Renderer renderer = new Renderer(SCENE, SMALL);
+        Film film = renderer.render();
+        assertEquals(film.get(30, 40), renderer.pixel(30, 40));
+        assertEquals(film.get(0, 0), renderer.pixel(0, 0));
+    }
+
+    @Test
+    void anotherSeedGivesOtherShadowsAndNothingElse() {
+        Film one = new Renderer(SCENE, SMALL).render();
+        Film other = new Renderer(SCENE, SMALL.withSeed(2)).render();
+        assertNotEquals(pixels(one), pixels(other));
+        assertEquals(one.get(0, 0), other.get(0, 0), "the background has no shadows");
+    }
+
+    @Test
+    void everyPixelIsInExactlyOneTile() {
+        int[][] drawn = new int[47][61];
+        TileQueue tiles = new TileQueue(61, 47, 8);
+        for (Optional<Tile> next = tiles.next(); next.isPresent(); next = tiles.next()) {
+            Tile tile = next.get();
+            for (int y = tile.top(); y < tile.bottom(); y++) {
+                for (int x = tile.left(); x < tile.right(); x++) {
+                    drawn[y][x]++;
+                }
+            }
+        }
+        assertTrue(Arrays.stream(drawn).flatMapToInt(Arrays::stream).allMatch(count -> count == 1));
+    }
+
+    @Test
+    void aClosedQueueHasNoMoreTiles() {
+        TileQueue tiles = new TileQueue(100, 100, 10);
+        assertTrue(tiles.next().isPresent());
+        tiles.close();
+        assertEquals(Optional.empty(), tiles.next());
+    }
+
+    /** A scene that no parser would make: its sphere has no reflection colour, not even black. */
+    @Test
+    void aFailureNamesItsPixel() {
+        Camera camera = new Camera(new Vector(0, 0, -5), Vector.ZERO, new Vector(0, 1, 0), 1, 1, new Pinhole());
+        Material incomplete = new Material(Color.BLACK, Color.BLACK, null, 1, 0, Color.BLACK);
+        Scene broken = new Scene(camera, SCENE.settings(), List.of(incomplete),
+            List.of(new Sphere(Vector.ZERO, 0.1, 0)), List.of());
+        IllegalStateException failure = assertThrows(IllegalStateException.class,
+            () -> new Renderer(broken, RenderSettings.DEFAULT.withSize(5, 5).withWorkers(2, 2)).render());
+        assertTrue(failure.getMessage().startsWith("pixel 2, 2: "), failure.getMessage());
+    }
+}
