@@ -1,0 +1,47 @@
+package raytracing.shade;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import raytracing.PictureDifference;
+import raytracing.RayTracer;
+import raytracing.compiled.CompiledScene;
+import raytracing.compiled.PixelRays;
+import raytracing.compiled.ShadowMode;
+import raytracing.film.Film;
+import raytracing.geometry.Ray;
+import raytracing.scene.Scene;
+
+/** What leaving out negligible light does to whole pictures, with the same random numbers on both sides. */
+class LeftOutLightTest {
+    private static final int SIZE = 100;
+
+    @ParameterizedTest
+    @MethodSource("raytracing.CommittedScenesTest#scenes")
+    void noPixelDiffersByMoreThanOneStep(Path file) throws Exception {
+        Scene scene = RayTracer.parseScene(file);
+        PictureDifference difference = new PictureDifference(
+            drawn(scene, Branches.NEGLIGIBLE_WEIGHT).toImage(), drawn(scene, 0).toImage());
+        assertTrue(difference.shareOffByMoreThan(1) == 0, difference::toString);
+        assertTrue(difference.shareOffByMoreThan(0) <= 0.001, difference::toString);
+    }
+
+    private static Film drawn(Scene scene, double negligibleWeight) {
+        CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        Shader shader = new Shader(scene, compiled, negligibleWeight);
+        PixelRays rays = new PixelRays(scene.camera(), SIZE, SIZE);
+        Film film = new Film(SIZE, SIZE);
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x++) {
+                Optional<Ray> ray = rays.through(x + 0.5, y + 0.5);
+                if (ray.isPresent()) {
+                    film.set(x, y, shader.light(ray.get(), (long) y * SIZE + x));
+                }
+            }
+        }
+        return film;
+    }
+}
