@@ -16,6 +16,8 @@ public final class PixelRays {
     private final Basis basis;
     private final int width;
     private final int height;
+    private final double screenDistance;
+    private final double screenWidth;
     private final double screenHeight;
 
     /**
@@ -27,10 +29,14 @@ public final class PixelRays {
      */
     public PixelRays(Camera camera, int width, int height) {
         this.camera = camera;
-        basis = camera.basis();
         this.width = width;
         this.height = height;
-        screenHeight = camera.screenWidth() * height / width;
+        basis = camera.basis();
+        // Only the shape of the screen matters. Near 1, no length of it leaves the range of doubles.
+        int exponent = -Math.getExponent(Math.max(camera.screenDistance(), camera.screenWidth()));
+        screenDistance = Math.scalb(camera.screenDistance(), exponent);
+        screenWidth = Math.scalb(camera.screenWidth(), exponent);
+        screenHeight = screenWidth * height / width;
     }
 
     /**
@@ -42,12 +48,12 @@ public final class PixelRays {
      *         behind the camera
      */
     public Optional<Ray> through(double x, double y) {
-        double right = (x / width - 0.5) * camera.screenWidth();
+        double right = (x / width - 0.5) * screenWidth;
         double up = (0.5 - y / height) * screenHeight;
         if (camera.lens() instanceof Fisheye fisheye && fisheye.k() != 1) {
             return throughFisheye(fisheye, right, up);
         }
-        return Optional.of(towards(camera.screenDistance(), right, up));
+        return Optional.of(towards(screenDistance, right, up));
     }
 
     /** Sine and cosine of the angle, never its tangent: nothing grows without bound near a right angle. */
@@ -56,7 +62,7 @@ public final class PixelRays {
         if (radius == 0) {
             return Optional.of(towards(1, 0, 0));
         }
-        double angle = fisheye.incidentAngle(radius / camera.screenDistance());
+        double angle = fisheye.incidentAngle(radius / screenDistance);
         if (!(angle < Math.PI / 2)) {        // this way round, NaN is black
             return Optional.empty();
         }

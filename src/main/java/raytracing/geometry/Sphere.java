@@ -23,10 +23,14 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
         };
     }
 
-    /** Taken from (origin - centre) + t direction, which keeps its digits when both lie far from the world's origin. */
+    /**
+     * Taken from (origin - centre) + t direction, which keeps its digits when both lie far from the world's origin. Of
+     * a ball so small and far that nothing is left of this sum, the point nearest to the ray's origin is seen.
+     */
     @Override
     public Vector outwardNormal(Vector origin, Vector direction, double distance) {
-        return origin.minus(centre).plus(distance, direction).unit();
+        Vector fromCentre = origin.minus(centre).plus(distance, direction);
+        return fromCentre.length() > 0 ? fromCentre.unit() : direction.negated().unit();
     }
 
     @Override

@@ -145,4 +145,15 @@ class PixelRaysTest {
                 new PixelRays(larger, 50, 50).through(x + 0.5, 20.5).map(Ray::direction));
         }
     }
+
+    @ParameterizedTest(name = "distance {0}, width {1}")
+    @CsvSource({"1e308, 1e308", "4.9e-324, 4.9e-324", "1.7e308, 4.9e-324", "4.9e-324, 1.7e308"})
+    void screensOfEverySizeADoubleCanHoldHaveRays(double distance, double screenWidth) {
+        Camera camera = new Camera(Vector.ZERO, new Vector(0, 0, 1), new Vector(0, 1, 0), distance, screenWidth,
+            new Pinhole());
+        PixelRays rays = new PixelRays(camera, 1, 9);
+        for (int y = 0; y <= 9; y++) {
+            assertEquals(1, direction(rays, 0.25, y).length(), FOUR_ULP);
+        }
+    }
 }

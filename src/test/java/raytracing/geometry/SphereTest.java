@@ -91,6 +91,17 @@ class SphereTest {
             sphere.outwardNormal(new Vector(10, 20, 25), new Vector(0, 0, 1), 3));
     }
 
+    /** The hit is met, but its distance rounds to that of the centre: no direction is left between the two. */
+    @Test
+    void aBallSmallerThanRoundingAtItsDistanceFacesTheRay() {
+        Sphere speck = new Sphere(Vector.ZERO, 1e-12, 0);
+        Vector origin = new Vector(0, 0, -1e9);
+        Vector direction = new Vector(0, 0, 1);
+        double distance = speck.firstCrossing(origin, direction, Departure.ELSEWHERE);
+        assertEquals(1e9, distance);
+        assertEquals(-1, speck.outwardNormal(origin, direction, distance).z());
+    }
+
     /** A law: what leaves a convex body outwards never meets it, what leaves inwards meets the far wall. */
     @Test
     void aRayNeverMeetsTheWallItLeaves() {
