@@ -66,6 +66,27 @@ class ImageFileTest {
         assertEquals(8, ImageIO.read(path.toFile()).getWidth());
     }
 
+    /** The default quality of ImageIO is off by up to 11 steps in this pattern of greys. */
+    @Test
+    void jpegKeepsGreysWithinAFewSteps() throws IOException {
+        Film pattern = new Film(64, 64);
+        for (int x = 0; x < 64; x++) {
+            for (int y = 0; y < 64; y++) {
+                pattern.set(x, y, new Color(1, 1, 1).times((x ^ y) / 63.0));
+            }
+        }
+        Path path = folder.resolve("pattern.jpg");
+        new ImageFile(path, ImageFormat.JPEG).write(pattern);
+        BufferedImage read = ImageIO.read(path.toFile());
+        int largest = 0;
+        for (int x = 0; x < 64; x++) {
+            for (int y = 0; y < 64; y++) {
+                largest = Math.max(largest, Math.abs((read.getRGB(x, y) & 0xff) - (pattern.toImage().getRGB(x, y) & 0xff)));
+            }
+        }
+        assertTrue(largest <= 6, "off by " + largest);
+    }
+
     @Test
     void nothingButTheFinishedFileIsLeft() throws IOException {
         new ImageFile(folder.resolve("picture.png"), ImageFormat.PNG).write(film());

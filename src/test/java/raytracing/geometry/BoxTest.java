@@ -90,6 +90,19 @@ class BoxTest {
         assertEquals(Departure.INWARD, inner.side());
     }
 
+    /** A slanted ray through each face of a cube far from the world's origin: only one face can be right. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 0", "-1, 0, 0", "0, 1, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1"})
+    void theFaceIsFoundWhereverTheCubeStands(double x, double y, double z) {
+        Vector outward = new Vector(x, y, z);
+        Vector centre = new Vector(100, -70, 30);
+        Box cube = new Box(centre, 2, 0);
+        Vector origin = centre.plus(4, outward).plus(new Vector(0.25, 0.5, -0.25));
+        Vector direction = outward.times(-3).plus(new Vector(0.1, -0.2, 0.3));
+        double distance = cube.firstCrossing(origin, direction, Departure.ELSEWHERE);
+        assertEquals(outward, cube.outwardNormal(origin, direction, distance).plus(Vector.ZERO));
+    }
+
     private static Hit hit(Ray ray) {
         return CUBE.hit(ray, CUBE.firstCrossing(ray.origin(), ray.direction(), Departure.ELSEWHERE), 0);
     }

@@ -23,6 +23,14 @@ class HitTest {
         assertEquals(expected, hit.departureTowards(1, dy, 0));
     }
 
+    @ParameterizedTest(name = "going {0} {1} {2}: {3}")
+    @CsvSource({"3, -1, -1, OUTWARD", "1, -1, -1, INWARD", "-1, 3, -1, OUTWARD", "-1, 1, -1, INWARD",
+        "-1, -1, 3, OUTWARD", "-1, -1, 1, INWARD"})
+    void allThreePartsOfTheNormalDecide(double dx, double dy, double dz, Departure expected) {
+        Hit hit = new Hit(3, 0, 1, Vector.ZERO, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
+        assertEquals(expected, hit.departureTowards(dx, dy, dz));
+    }
+
     @ParameterizedTest
     @CsvSource({"3, OUTWARD", "2, ELSEWHERE"})
     void aRayKnowsOnlyTheSurfaceItLeaves(int surface, Departure expected) {

@@ -157,6 +157,19 @@ class ShaderTest {
         assertColor(1 / 16.0, 1 / 16.0, 1 / 16.0, found);
     }
 
+    /**
+     * Two coincident glass planes in the same penumbra, one red, one green: their shares of light would be equal if
+     * they used the same random numbers, and then red, with weight 1/2, would be twice green, with weight 1/4.
+     */
+    @Test
+    void everySurfaceAlongARayHasRandomNumbersOfItsOwn() {
+        Color found = light(ALONG_Z, "set 0 0 0 8 1", "mtl 1 0 0  0 0 0  0 0 0  1 0.5", "mtl 0 1 0  0 0 0  0 0 0  1 0.5",
+            "mtl 0 0 0  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "pln 0 0 1 0 2", "sph 0.3 0 -7 0.4 3",
+            "lgt 0 0 -9" + WHITE_LIGHT + "1 1 2");
+        assertTrue(found.red() > 0.1 && found.red() < 0.45, "no penumbra");
+        assertTrue(Math.abs(found.red() - 2 * found.green()) > 0.005, found::toString);
+    }
+
     /** Fully transparent with mirror colour 0.25: what is behind, 1 of the background, plus 0.25 of it mirrored. */
     @Test
     void reflectionIsAddedAfterTransparency() {

@@ -110,14 +110,37 @@ class SoftShadowsTest {
     }
 
     private static void assertMean(double expected, double hidden, String surface) {
+        assertMean(expected, hidden, surface, "0 10 0");
+    }
+
+    private static void assertMean(double expected, double hidden, String surface, String position) {
         int keys = 400;
         int root = 8;
+        Scene scene = SceneText.scene(HEAD + surface + "\nlgt " + position + " 1 1 1 1 1 2");
+        CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        SoftShadows shadows = new SoftShadows(compiled, root);
         double sum = 0;
         for (int i = 0; i < keys; i++) {
-            sum += share(root, CounterRandom.bits(5, i), 1, 2, surface);
+            sum += shadows.arrivingShare(FLOOR, scene.lights().get(0), CounterRandom.bits(5, i));
         }
         double standardError = Math.sqrt(hidden * (1 - hidden) / ((double) keys * root * root));
         assertEquals(expected, sum / keys, 5 * standardError);
+    }
+
+    /** The square always faces the point, so a light 10 away in any direction is hidden as one straight above. */
+    @ParameterizedTest
+    @CsvSource({"6 8 0, 3 4 0", "0 6 -8, 0 3 -4", "4.8 6 6.4, 2.4 3 3.2", "-6.4 4.8 6, -3.2 2.4 3"})
+    void theSquareFacesThePointFromEveryDirection(String light, String halfWay) {
+        double disc = 10 * 0.4 / Math.sqrt(25 - 0.16);
+        double hidden = Math.PI * disc * disc / 4;
+        assertMean(1 - hidden, hidden, "sph " + halfWay + " 0.4 1", light);
+    }
+
+    /** Half way, 0.8 aside, is 1.6 beside the middle of the light: a radius of 0.09 stays clear of its corners, sqrt(2). */
+    @ParameterizedTest
+    @CsvSource({"0 10 0, 0.8 5 0", "6 8 0, 3 4 0.8", "0 6 -8, 0.8 3 -4"})
+    void whatStandsBesideTheSquareHidesNothing(String light, String beside) {
+        assertMean(1, 0, "sph " + beside + " 0.09 1", light);
     }
 
     /** Jitter of n cells a side errs by about n^-1.5: from 4 to 16 the spread must fall well below a half. */
