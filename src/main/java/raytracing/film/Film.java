@@ -93,7 +93,6 @@ public final class Film {
         return image;
     }
 
-    /** What is no number counts as full: it comes from light beyond every double, meeting a factor of 0. */
     private static int encoded(double channel) {
         if (channel <= 0) {
             return 0;

@@ -8,11 +8,16 @@ final class LightSum {
     private double green;
     private double blue;
 
-    /** Adds share * weight * light, channel by channel. */
+    /** Adds share * weight * light, channel by channel; share at least 0 and finite. */
     void add(double share, Color weight, Color light) {
-        red += share * weight.red() * light.red();
-        green += share * weight.green() * light.green();
-        blue += share * weight.blue() * light.blue();
+        red += product(share, weight.red(), light.red());
+        green += product(share, weight.green(), light.green());
+        blue += product(share, weight.blue(), light.blue());
+    }
+
+    /** Never infinity times 0, which would be no number. */
+    private static double product(double share, double weight, double light) {
+        return Math.min(share * weight, Double.MAX_VALUE) * light;
     }
 
     Color total() {

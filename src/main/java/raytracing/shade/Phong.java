@@ -27,13 +27,14 @@ final class Phong {
      *
      * @param material of the surface
      * @param light the light
-     * @param cosine L.M
-     * @return at least 0
+     * @param cosine L.M; a rounding beyond 1 counts as 1
+     * @return at least 0, finite
      */
     static double highlight(Material material, Light light, double cosine) {
         if (material.specular().isBlack()) {
             return 0;
         }
-        return light.specularIntensity() * Powers.power(Math.max(0, cosine), material.phongExponent());
+        double facing = cosine > 0 ? Math.min(cosine, 1) : 0;    // this way round, NaN from a light too far away is 0
+        return light.specularIntensity() * Powers.power(facing, material.phongExponent());
     }
 }

@@ -16,6 +16,13 @@ class ColorTest {
     }
 
     @Test
+    void lightBeyondEveryDoubleStaysANumberThatNothingTimesIsNothing() {
+        Color overflow = new Color(1e200, 1e200, 1).times(new Color(1e200, 1, 1));
+        assertEquals(new Color(Double.MAX_VALUE, 1e200, 1), overflow);
+        assertEquals(new Color(0, 1e200, 1), overflow.times(new Color(0, 1, 1)));
+    }
+
+    @Test
     void onlyNoLightAtAllIsBlack() {
         assertTrue(Color.BLACK.isBlack());
         assertFalse(new Color(0, 0, Double.MIN_VALUE).isBlack());

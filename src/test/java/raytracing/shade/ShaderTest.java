@@ -232,6 +232,13 @@ class ShaderTest {
         assertEquals(1e-300, found.blue(), 1e-314);
     }
 
+    @Test
+    void coloursWhoseProductIsBeyondEveryDoubleLeaveTheOtherChannelsAlone() {
+        Color found = light(ALONG_Z, SET, "mtl 1e300 0 0.5  0 0 0  1e300 1 0  1 0", "pln 0 0 1 0 1",
+            "lgt 0 0 -5 1e300 1e300 1  1 1 0");
+        assertEquals(new Color(Double.MAX_VALUE, 0.2, 0.5), found);
+    }
+
     /**
      * Every ray splits at each of 20 mirroring glass balls, so 20^10 rays would be followed without a limit. The balls
      * are black, so all the light there is comes from the background, by weights that add up the same whatever is left
