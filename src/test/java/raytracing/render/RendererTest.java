@@ -35,7 +35,7 @@ class RendererTest {
         "lgt -4 6 -1  0.4 0.4 0.4   1 0.7 1");
     private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(61, 47);
 
-    private static void assertSamePixels(Film expected, Film found) {
+    static void assertSamePixels(Film expected, Film found) {
         for (int y = 0; y < expected.height(); y++) {
             for (int x = 0; x < expected.width(); x++) {
                 assertEquals(expected.get(x, y), found.get(x, y), "pixel " + x + ", " + y);

@@ -1,0 +1,56 @@
+package raytracing.render;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import raytracing.CommittedScenesTest;
+import raytracing.RayTracer;
+import raytracing.geometry.Box;
+import raytracing.geometry.Plane;
+import raytracing.geometry.Sphere;
+import raytracing.geometry.Surface;
+import raytracing.scene.Camera;
+import raytracing.scene.Light;
+import raytracing.scene.Scene;
+
+/** A law of scenes without a unit: multiplying every length by a power of two changes no bit of the film. */
+class ScaledSceneTest {
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(80, 80);
+
+    static Stream<Arguments> scenesAndScales() throws Exception {
+        return CommittedScenesTest.scenes().flatMap(
+            scene -> Stream.of(0x1p40, 0x1p-40).map(scale -> Arguments.of(scene, scale)));
+    }
+
+    @ParameterizedTest(name = "{0} times {1}")
+    @MethodSource("scenesAndScales")
+    void theFilmIsTheSameBitForBit(Path file, double scale) throws Exception {
+        Scene scene = RayTracer.parseScene(file);
+        RendererTest.assertSamePixels(new Renderer(scene, SMALL).render(),
+            new Renderer(scaled(scene, scale), SMALL).render());
+    }
+
+    private static Scene scaled(Scene scene, double scale) {
+        Camera camera = scene.camera();
+        List<Surface> surfaces = scene.surfaces().stream().map(surface -> scaled(surface, scale)).toList();
+        List<Light> lights = scene.lights().stream().map(light -> new Light(light.position().times(scale),
+            light.color(), light.specularIntensity(), light.shadowIntensity(), light.width() * scale)).toList();
+        return new Scene(new Camera(camera.position().times(scale), camera.lookAt().times(scale), camera.up(),
+            camera.screenDistance() * scale, camera.screenWidth() * scale, camera.lens()), scene.settings(),
+            scene.materials(), surfaces, lights);
+    }
+
+    private static Surface scaled(Surface surface, double scale) {
+        if (surface instanceof Sphere sphere) {
+            return new Sphere(sphere.centre().times(scale), sphere.radius() * scale, sphere.material());
+        }
+        if (surface instanceof Plane plane) {
+            return new Plane(plane.normal(), plane.offset() * scale, plane.material());
+        }
+        Box box = (Box) surface;
+        return new Box(box.centre().times(scale), box.edge() * scale, box.material());
+    }
+}
