@@ -8,6 +8,9 @@ public final class PlaneKernel {
     /**
      * Crossing of the ray o + t d with the plane N . P = c.
      *
+     * <p>Error at most 10 ulp for ordinary rays (measured: 546 rays with exact answers). Digits are lost where N . o
+     * and c nearly cancel, that is, close to the plane compared with the world's origin, and where N . d does.
+     *
      * @param nx normal as the scene wrote it, x part; not all three 0
      * @param ny y part
      * @param nz z part

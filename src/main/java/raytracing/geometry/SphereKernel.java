@@ -15,6 +15,10 @@ public final class SphereKernel {
      * Intersection, Ray Tracing Gems, 2019, chapter 7). With q = b + sign(b) sqrt(a h2) the roots are c/q and q/a,
      * so none comes from a difference of nearly equal numbers (Press et al., Numerical Recipes, section 5.6).
      *
+     * <p>Error at most 3 ulp for ordinary rays and for spheres that are small, far, or far from the world's origin
+     * (measured: 858 rays with exact answers). Digits are lost where a ray grazes, up to 23 bits, and where the origin
+     * lies close to the wall compared with the radius, as c cancels there.
+     *
      * @param ox origin minus centre, x part; with {@code oy}, {@code oz} finite
      * @param oy y part
      * @param oz z part
