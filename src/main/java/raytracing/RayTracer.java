@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import raytracing.command.Command;
 import raytracing.command.CommandLine;
@@ -122,7 +123,7 @@ public final class RayTracer {
     /** {@code AccessDeniedException} becomes "access denied". */
     private static String kind(IOException failure) {
         String name = failure.getClass().getSimpleName().replace("Exception", "");
-        return name.replaceAll("(?<=.)(?=[A-Z])", " ").toLowerCase(java.util.Locale.ROOT);
+        return name.replaceAll("(?<=.)(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
     }
 
     private static String version() {

@@ -21,7 +21,7 @@ import javax.imageio.stream.ImageOutputStream;
  */
 public final class ImageFile {
     private static final float JPEG_QUALITY = 0.95f;
-    private static final String UNFINISHED = ".part";
+    private static final String UNFINISHED = ".unfinished-picture-";
 
     private final Path path;
     private final ImageFormat format;
@@ -79,8 +79,7 @@ public final class ImageFile {
      * @throws IOException if it cannot be written; then whatever stood there before still does
      */
     public void write(Film film) throws IOException {
-        String name = "." + path.getFileName() + "." + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX);
-        Path unfinished = folder().resolve(name + UNFINISHED);
+        Path unfinished = folder().resolve(UNFINISHED + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX));
         unfinished.toFile().deleteOnExit();  // also when a signal ends the program while it writes
         try {
             try (OutputStream stream = Files.newOutputStream(unfinished, StandardOpenOption.CREATE_NEW)) {

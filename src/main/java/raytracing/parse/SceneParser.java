@@ -38,6 +38,10 @@ public final class SceneParser {
      */
     private static final double PARALLEL = 1e-10;
 
+    /** Keeps the numbers of the materials after a line that could not be read; never shown. */
+    private static final Material NO_MATERIAL =
+        new Material(Color.BLACK, Color.BLACK, Color.BLACK, 0, 0, Color.BLACK);
+
     private final Problems problems;
     private final SceneText text;
     private final List<Material> materials = new ArrayList<>();
@@ -113,33 +117,33 @@ public final class SceneParser {
         Values values = new Values(text.lineNumber(), code, tokens, problems);
         switch (code.toLowerCase(Locale.ROOT)) {
             case "cam" -> {
-                if (isFirst(camera, values) && countFits(tokens, values, Shape.CAM)) {
+                if (isFirst(camera, values) && countFits(tokens, values, LineForm.CAM)) {
                     camera.value = Optional.of(camera(values));
                 }
             }
             case "set" -> {
-                if (isFirst(settings, values) && countFits(tokens, values, Shape.SET)) {
+                if (isFirst(settings, values) && countFits(tokens, values, LineForm.SET)) {
                     settings.value = Optional.of(settings(values));
                 }
             }
-            case "mtl" -> materials.add(countFits(tokens, values, Shape.MTL) ? material(values) : NO_MATERIAL);
+            case "mtl" -> materials.add(countFits(tokens, values, LineForm.MTL) ? material(values) : NO_MATERIAL);
             case "sph" -> {
-                if (countFits(tokens, values, Shape.SPH)) {
+                if (countFits(tokens, values, LineForm.SPH)) {
                     surfaces.add(sphere(values));
                 }
             }
             case "pln" -> {
-                if (countFits(tokens, values, Shape.PLN)) {
+                if (countFits(tokens, values, LineForm.PLN)) {
                     surfaces.add(plane(values));
                 }
             }
             case "box" -> {
-                if (countFits(tokens, values, Shape.BOX)) {
+                if (countFits(tokens, values, LineForm.BOX)) {
                     surfaces.add(box(values));
                 }
             }
             case "lgt" -> {
-                if (countFits(tokens, values, Shape.LGT)) {
+                if (countFits(tokens, values, LineForm.LGT)) {
                     lights.add(light(values));
                 }
             }
@@ -147,12 +151,8 @@ public final class SceneParser {
         }
     }
 
-    /** Keeps the numbers of the materials after a line that could not be read; never shown. */
-    private static final Material NO_MATERIAL =
-        new Material(Color.BLACK, Color.BLACK, Color.BLACK, 0, 0, Color.BLACK);
-
     /** How many values follow a code, the counts in rising order, and what they are. */
-    private enum Shape {
+    private enum LineForm {
         CAM("position 3, look-at 3, up 3, screen distance, screen width, [fisheye], [k]", 11, 12, 13),
         SET("background 3, shadow ray root, maximum recursion, [ambient scale]", 5, 6),
         MTL("diffuse 3, specular 3, reflection 3, Phong exponent, transparency, [ambient 3]", 11, 14),
@@ -164,7 +164,7 @@ public final class SceneParser {
         private final String values;
         private final List<Integer> counts;
 
-        Shape(String values, Integer... counts) {
+        LineForm(String values, Integer... counts) {
             this.values = values;
             this.counts = List.of(counts);
         }
@@ -179,14 +179,14 @@ public final class SceneParser {
         }
     }
 
-    private static boolean countFits(List<String> tokens, Values values, Shape shape) {
+    private static boolean countFits(List<String> tokens, Values values, LineForm form) {
         int count = tokens.size();
-        if (shape.counts.contains(count)) {
+        if (form.counts.contains(count)) {
             return true;
         }
-        int most = shape.counts.get(shape.counts.size() - 1);
+        int most = form.counts.get(form.counts.size() - 1);
         String surplus = count > most ? ", first surplus value " + Problems.printable(tokens.get(most)) : "";
-        values.problem(shape.expectation() + ", got " + count + surplus);
+        values.problem(form.expectation() + ", got " + count + surplus);
         return false;
     }
 
