@@ -140,7 +140,7 @@ class ProgramTest {
         Files.writeString(folder.resolve("out.png"), "older");
         Path log = folder.resolve("log");
         Process process = Program.start(Path.of(System.getProperty("java.home")), List.of(), folder, log, log,
-            "scene.txt", "out.png", "4000", "4000");
+            "scene.txt", "out.png", "2000", "2000");
         Thread.sleep(500);
         process.destroy();
         int sigterm = 15;
