@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import raytracing.color.Color;
 import raytracing.geometry.Box;
 import raytracing.geometry.Plane;
@@ -116,38 +117,32 @@ public final class SceneParser {
     private void readLine(String code, List<String> tokens) {
         Values values = new Values(text.lineNumber(), code, tokens, problems);
         switch (code.toLowerCase(Locale.ROOT)) {
-            case "cam" -> {
-                if (isFirst(camera, values) && countFits(tokens, values, LineForm.CAM)) {
-                    camera.value = Optional.of(camera(values));
-                }
-            }
-            case "set" -> {
-                if (isFirst(settings, values) && countFits(tokens, values, LineForm.SET)) {
-                    settings.value = Optional.of(settings(values));
-                }
-            }
-            case "mtl" -> materials.add(countFits(tokens, values, LineForm.MTL) ? material(values) : NO_MATERIAL);
-            case "sph" -> {
-                if (countFits(tokens, values, LineForm.SPH)) {
-                    surfaces.add(sphere(values));
-                }
-            }
-            case "pln" -> {
-                if (countFits(tokens, values, LineForm.PLN)) {
-                    surfaces.add(plane(values));
-                }
-            }
-            case "box" -> {
-                if (countFits(tokens, values, LineForm.BOX)) {
-                    surfaces.add(box(values));
-                }
-            }
-            case "lgt" -> {
-                if (countFits(tokens, values, LineForm.LGT)) {
-                    lights.add(light(values));
-                }
-            }
+            case "cam" -> readSingle(camera, LineForm.CAM, values, this::camera);
+            case "set" -> readSingle(settings, LineForm.SET, values, this::settings);
+            case "mtl" -> materials.add(read(LineForm.MTL, values, this::material).orElse(NO_MATERIAL));
+            case "sph" -> read(LineForm.SPH, values, this::sphere).ifPresent(surfaces::add);
+            case "pln" -> read(LineForm.PLN, values, this::plane).ifPresent(surfaces::add);
+            case "box" -> read(LineForm.BOX, values, this::box).ifPresent(surfaces::add);
+            case "lgt" -> read(LineForm.LGT, values, this::light).ifPresent(lights::add);
             default -> values.problem("unknown code, expected cam, set, mtl, sph, pln, box or lgt");
+        }
+    }
+
+    /** The object of a line, or none if it has not as many values as its form. */
+    private static <T> Optional<T> read(LineForm form, Values values, Function<Values, T> reader) {
+        if (form.counts.contains(values.count())) {
+            return Optional.of(reader.apply(values));
+        }
+        values.problem(form.expectation() + ", got " + values.count() + form.surplus(values));
+        return Optional.empty();
+    }
+
+    private static <T> void readSingle(Single<T> object, LineForm form, Values values, Function<Values, T> reader) {
+        if (object.line == 0) {
+            object.line = values.line();
+            object.value = read(form, values, reader);
+        } else {
+            values.problem("one too many, the first is on line " + object.line + ", expected exactly one");
         }
     }
 
@@ -177,17 +172,11 @@ public final class SceneParser {
             }
             return "expected " + alternatives + " values (" + values + ")";
         }
-    }
 
-    private static boolean countFits(List<String> tokens, Values values, LineForm form) {
-        int count = tokens.size();
-        if (form.counts.contains(count)) {
-            return true;
+        private String surplus(Values found) {
+            int most = counts.get(counts.size() - 1);
+            return found.count() > most ? ", first surplus value " + Problems.printable(found.token(most)) : "";
         }
-        int most = form.counts.get(form.counts.size() - 1);
-        String surplus = count > most ? ", first surplus value " + Problems.printable(tokens.get(most)) : "";
-        values.problem(form.expectation() + ", got " + count + surplus);
-        return false;
     }
 
     private Camera camera(Values values) {
@@ -200,7 +189,9 @@ public final class SceneParser {
         double k = values.hasMore() ? values.number("k", Range.FROM_MINUS_1_TO_1) : DEFAULT_FISHEYE_K;
         Lens lens = fisheye ? new Fisheye(k) : new Pinhole();
         Camera camera = new Camera(position, lookAt, up, screenDistance, screenWidth, lens);
-        checkView(values, camera);
+        if (values.problemsFound() == 0) {
+            checkView(values, camera);
+        }
         return camera;
     }
 
@@ -270,8 +261,9 @@ public final class SceneParser {
 
     /** The material's place in the list, from 0. Its line may still be ahead. */
     private int materialIndex(Values values) {
+        int problemsBefore = values.problemsFound();
         int number = (int) values.number("material", Range.WHOLE_FROM_1);
-        if (number > materials.size()) {
+        if (number > materials.size() && values.problemsFound() == problemsBefore) {
             materialsAhead.add(new MaterialAhead(values, number));
         }
         return number - 1;
@@ -283,15 +275,6 @@ public final class SceneParser {
             String expected = defined == 0 ? "that of a mtl line, and there is none" : "from 1 to " + defined;
             ahead.user.refuse("material", expected, Integer.toString(ahead.number));
         }
-    }
-
-    private static boolean isFirst(Single<?> object, Values values) {
-        if (object.line == 0) {
-            object.line = values.line();
-            return true;
-        }
-        values.problem("one too many, the first is on line " + object.line + ", expected exactly one");
-        return false;
     }
 
     private void checkPresent(Single<?> object, String code) {

@@ -18,6 +18,7 @@ final class Values {
     private final List<String> tokens;
     private final Problems problems;
     private int next;
+    private int problemsFound;
 
     Values(int line, String code, List<String> tokens, Problems problems) {
         this.line = line;
@@ -28,6 +29,14 @@ final class Values {
 
     int line() {
         return line;
+    }
+
+    int count() {
+        return tokens.size();
+    }
+
+    String token(int i) {
+        return tokens.get(i);
     }
 
     boolean hasMore() {
@@ -84,7 +93,13 @@ final class Values {
         problem(name + " must be " + expected + ", got " + Problems.printable(got));
     }
 
+    /** How many values of this line were refused so far, and replaced by stand-ins. */
+    int problemsFound() {
+        return problemsFound;
+    }
+
     void problem(String message) {
+        problemsFound++;
         problems.add(line, code, message);
     }
 

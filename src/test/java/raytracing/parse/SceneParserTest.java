@@ -316,6 +316,13 @@ class SceneParserTest {
             messages(CAM + SET + "sph 0 0 0 1 1\n"));
     }
 
+    /** What stands in for a refused value must not be refused in its turn: neither a camera at 1 0 0 nor a material 1. */
+    @ParameterizedTest
+    @ValueSource(strings = {"cam x 0 0  1 0 0  0 1 0  1 1\n" + SET, CAM + SET + "sph 0 0 0 1 red\n"})
+    void aMistakeIsReportedOnce(String text) {
+        assertEquals(1, messages(text).size());
+    }
+
     @Test
     void twentyErrorsAreListedAndTheRestCounted() {
         List<String> messages = messages(HEAD + String.join("\n", Collections.nCopies(33, "sph 0 0 0 0 1")));
