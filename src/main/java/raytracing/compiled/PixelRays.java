@@ -13,7 +13,9 @@ import raytracing.scene.Fisheye;
  */
 public final class PixelRays {
     private final Camera camera;
-    private final Basis basis;
+    private final Vector rightAxis;
+    private final Vector upAxis;
+    private final Vector forwardAxis;
     private final int width;
     private final int height;
     private final double screenDistance;
@@ -31,7 +33,10 @@ public final class PixelRays {
         this.camera = camera;
         this.width = width;
         this.height = height;
-        basis = camera.basis();
+        Basis basis = camera.basis();
+        rightAxis = basis.u();
+        upAxis = basis.v();
+        forwardAxis = basis.w();
         // Only the shape of the screen matters. Near 1, no length of it leaves the range of doubles.
         int exponent = -Math.getExponent(Math.max(camera.screenDistance(), camera.screenWidth()));
         screenDistance = Math.scalb(camera.screenDistance(), exponent);
@@ -71,7 +76,10 @@ public final class PixelRays {
     }
 
     private Ray towards(double forward, double right, double up) {
-        Vector direction = basis.w().times(forward).plus(right, basis.u()).plus(up, basis.v());
+        Vector direction = new Vector(
+            forward * forwardAxis.x() + right * rightAxis.x() + up * upAxis.x(),
+            forward * forwardAxis.y() + right * rightAxis.y() + up * upAxis.y(),
+            forward * forwardAxis.z() + right * rightAxis.z() + up * upAxis.z());
         return new Ray(camera.position(), direction.unit());
     }
 }

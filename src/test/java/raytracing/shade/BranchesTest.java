@@ -1,8 +1,8 @@
 package raytracing.shade;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import raytracing.color.Color;
@@ -12,7 +12,7 @@ import raytracing.math.Vector;
 class BranchesTest {
     private static final Ray RAY = new Ray(Vector.ZERO, new Vector(0, 0, 1));
 
-    private final Branches branches = new Branches(Branches.NEGLIGIBLE_WEIGHT);
+    private final Branches branches = new Branches();
 
     private void add(double weight, int reflections) {
         branches.add(RAY, new Color(0, weight, 0), reflections, 0);
@@ -28,9 +28,9 @@ class BranchesTest {
         for (int i = 0; i < 4; i++) {
             order[i] = branches.next().orElseThrow().reflections();
         }
-        assertEquals("[4, 2, 1, 3]", java.util.Arrays.toString(order));
+        assertEquals("[4, 2, 1, 3]", Arrays.toString(order));
         assertEquals(Optional.empty(), branches.next());
-        assertTrue(branches.weightLeftOut().isBlack());
+        assertEquals(Optional.empty(), branches.nextLeftOut());
     }
 
     @Test
@@ -43,19 +43,9 @@ class BranchesTest {
             followed++;
         }
         assertEquals(Branches.MOST_FOLLOWED, followed);
-        assertEquals(new Color(0, 1 + 2 + 3, 0), branches.weightLeftOut());
-    }
-
-    @Test
-    void aNegligibleRayIsLeftOutAndItsWeightIsNot() {
-        add(Math.nextDown(Branches.NEGLIGIBLE_WEIGHT), 1);
-        assertEquals(Optional.empty(), branches.next());
-        assertEquals(new Color(0, Math.nextDown(Branches.NEGLIGIBLE_WEIGHT), 0), branches.weightLeftOut());
-    }
-
-    @Test
-    void aRayJustHeavyEnoughIsFollowed() {
-        add(Branches.NEGLIGIBLE_WEIGHT, 1);
-        assertTrue(branches.next().isPresent());
+        for (int weight = 3; weight >= 1; weight--) {
+            assertEquals(weight, branches.nextLeftOut().orElseThrow().weight().green());
+        }
+        assertEquals(Optional.empty(), branches.nextLeftOut());
     }
 }

@@ -24,7 +24,7 @@ class LeftOutLightTest {
     void noPixelDiffersByMoreThanOneStep(Path file) throws Exception {
         Scene scene = RayTracer.parseScene(file);
         PictureDifference difference = new PictureDifference(
-            drawn(scene, Branches.NEGLIGIBLE_WEIGHT).toImage(), drawn(scene, 0).toImage());
+            drawn(scene, Shader.NEGLIGIBLE_WEIGHT).toImage(), drawn(scene, 0).toImage());
         assertTrue(difference.shareOffByMoreThan(1) == 0, difference::toString);
         assertTrue(difference.shareOffByMoreThan(0) <= 0.001, difference::toString);
     }

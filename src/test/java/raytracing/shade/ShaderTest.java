@@ -210,7 +210,7 @@ class ShaderTest {
         double all = allLight(ALONG_Z, lines).red();
         double without = light(ALONG_Z, lines).red();
         double ahead = 2 / (1 - mirror);     // what the chain shines with from any mirror on, with no end
-        assertEquals(all, without, Branches.NEGLIGIBLE_WEIGHT * Math.abs(ahead - 3));
+        assertEquals(all, without, Shader.NEGLIGIBLE_WEIGHT * Math.abs(ahead - 3));
         assertTrue(all != without, "nothing was left out");
     }
 
