@@ -21,6 +21,7 @@ class DocumentsTest {
     private static final Path README = Path.of("README.md");
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)\\)");
     private static final Pattern OPTION = Pattern.compile("--[a-z-]+");
+    private static final Pattern SCENE = Pattern.compile("scenes/\\w+\\.txt");
     private static final Pattern EXAMPLE = Pattern.compile("```\\R(# A red ball.*?)```", Pattern.DOTALL);
 
     static Stream<Path> documents() throws IOException {
@@ -52,6 +53,13 @@ class DocumentsTest {
         for (MatchResult option : OPTION.matcher(CommandLine.HELP).results().toList()) {
             assertTrue(readme.contains("`" + option.group()), option::group);
         }
+    }
+
+    @Test
+    void theExamplesOfTheHelpNameScenesThatAreThere() {
+        List<String> scenes = SCENE.matcher(CommandLine.HELP).results().map(MatchResult::group).toList();
+        assertEquals(2, scenes.size());
+        assertTrue(scenes.stream().allMatch(scene -> Files.exists(Path.of(scene))), scenes::toString);
     }
 
     @Test

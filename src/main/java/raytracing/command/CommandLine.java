@@ -34,8 +34,8 @@ public final class CommandLine {
           --                 take all further words as file names and sizes
 
         examples
-          java -jar RayTracer.jar scenes/pool.txt pool.png
-          java -jar RayTracer.jar scenes/pool.txt wide.jpg 1920 1080 --threads 2
+          java -jar RayTracer.jar scenes/boxes.txt boxes.png
+          java -jar RayTracer.jar scenes/boxes.txt wide.jpg 1920 1080 --threads 2
 
         exit status: 0 done, 1 the machine failed (file, memory), 2 the scene or the
         command is wrong, 130 interrupted
