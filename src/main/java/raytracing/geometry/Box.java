@@ -12,14 +12,12 @@ import raytracing.math.Vector;
 public record Box(Vector centre, double edge, int material) implements Surface {
     @Override
     public double firstCrossing(Vector origin, Vector direction, Departure departure) {
-        double ox = origin.x() - centre.x();
-        double oy = origin.y() - centre.y();
-        double oz = origin.z() - centre.z();
+        Vector o = origin.minus(centre);
         return switch (departure) {
             case ELSEWHERE -> BoxKernel.firstCrossing(
-                ox, oy, oz, direction.x(), direction.y(), direction.z(), edge / 2);
+                o.x(), o.y(), o.z(), direction.x(), direction.y(), direction.z(), edge / 2);
             case INWARD -> BoxKernel.acrossFromInnerWall(
-                ox, oy, oz, direction.x(), direction.y(), direction.z(), edge / 2);
+                o.x(), o.y(), o.z(), direction.x(), direction.y(), direction.z(), edge / 2);
             case OUTWARD -> MISS;
         };
     }
@@ -28,22 +26,20 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     @Override
     public Vector outwardNormal(Vector origin, Vector direction, double distance) {
         double half = edge / 2;
-        double ox = origin.x() - centre.x();
-        double oy = origin.y() - centre.y();
-        double oz = origin.z() - centre.z();
-        if (BoxKernel.crosses(-half, ox, direction.x(), distance)) {
+        Vector o = origin.minus(centre);
+        if (BoxKernel.crosses(-half, o.x(), direction.x(), distance)) {
             return new Vector(-1, 0, 0);
         }
-        if (BoxKernel.crosses(half, ox, direction.x(), distance)) {
+        if (BoxKernel.crosses(half, o.x(), direction.x(), distance)) {
             return new Vector(1, 0, 0);
         }
-        if (BoxKernel.crosses(-half, oy, direction.y(), distance)) {
+        if (BoxKernel.crosses(-half, o.y(), direction.y(), distance)) {
             return new Vector(0, -1, 0);
         }
-        if (BoxKernel.crosses(half, oy, direction.y(), distance)) {
+        if (BoxKernel.crosses(half, o.y(), direction.y(), distance)) {
             return new Vector(0, 1, 0);
         }
-        return new Vector(0, 0, BoxKernel.crosses(half, oz, direction.z(), distance) ? 1 : -1);
+        return new Vector(0, 0, BoxKernel.crosses(half, o.z(), direction.z(), distance) ? 1 : -1);
     }
 
     @Override

@@ -23,14 +23,4 @@ public record Ray(Vector origin, Vector direction, int surfaceLeft, Departure de
     public Ray(Vector origin, Vector direction) {
         this(origin, direction, NO_SURFACE, Departure.ELSEWHERE);
     }
-
-    /**
-     * How this ray's origin lies to a surface.
-     *
-     * @param surface number of the surface
-     * @return the departure this ray was made with if it leaves that surface, else {@link Departure#ELSEWHERE}
-     */
-    public Departure departureFrom(int surface) {
-        return surface == surfaceLeft ? departure : Departure.ELSEWHERE;
-    }
 }

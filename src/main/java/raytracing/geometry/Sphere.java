@@ -12,13 +12,12 @@ import raytracing.math.Vector;
 public record Sphere(Vector centre, double radius, int material) implements Surface {
     @Override
     public double firstCrossing(Vector origin, Vector direction, Departure departure) {
-        double ox = origin.x() - centre.x();
-        double oy = origin.y() - centre.y();
-        double oz = origin.z() - centre.z();
+        Vector o = origin.minus(centre);
         return switch (departure) {
             case ELSEWHERE -> SphereKernel.firstCrossing(
-                ox, oy, oz, direction.x(), direction.y(), direction.z(), radius);
-            case INWARD -> SphereKernel.acrossFromInnerWall(ox, oy, oz, direction.x(), direction.y(), direction.z());
+                o.x(), o.y(), o.z(), direction.x(), direction.y(), direction.z(), radius);
+            case INWARD -> SphereKernel.acrossFromInnerWall(
+                o.x(), o.y(), o.z(), direction.x(), direction.y(), direction.z());
             case OUTWARD -> MISS;
         };
     }
@@ -30,7 +29,7 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     @Override
     public Vector outwardNormal(Vector origin, Vector direction, double distance) {
         Vector fromCentre = origin.minus(centre).plus(distance, direction);
-        return fromCentre.length() > 0 ? fromCentre.unit() : direction.negated().unit();
+        return fromCentre.isZero() ? direction.negated().unit() : fromCentre.unit();
     }
 
     @Override

@@ -71,6 +71,15 @@ public record Vector(double x, double y, double z) {
     }
 
     /**
+     * Whether this is no displacement at all, and so has no direction.
+     *
+     * @return true if every part is 0 or -0
+     */
+    public boolean isZero() {
+        return x == 0 && y == 0 && z == 0;
+    }
+
+    /**
      * Dot product.
      *
      * @param other any vector

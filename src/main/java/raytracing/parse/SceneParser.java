@@ -197,9 +197,9 @@ public final class SceneParser {
 
     private static void checkView(Values values, Camera camera) {
         Vector up = camera.up();
-        if (camera.position().minus(camera.lookAt()).length() == 0) {
+        if (camera.position().minus(camera.lookAt()).isZero()) {
             values.refuse("look-at", "another point than the position", shown(camera.lookAt()));
-        } else if (up.length() == 0) {
+        } else if (up.isZero()) {
             values.refuse("up", "a direction, not zero", shown(up));
         } else if (camera.forward().cross(up.unit()).length() <= PARALLEL) {
             values.refuse("up", "at an angle to the view " + shown(camera.forward()), shown(up));
@@ -237,7 +237,7 @@ public final class SceneParser {
 
     private Plane plane(Values values) {
         Vector normal = values.vector("normal");
-        if (normal.length() == 0) {
+        if (normal.isZero()) {
             values.refuse("normal", "a direction, not zero", shown(normal));
         }
         double offset = values.number("offset", Range.ANY);

@@ -110,7 +110,8 @@ class CompiledSceneTest {
     private static List<Hit> walkObjects(List<Surface> surfaces, Ray ray) {
         List<Hit> hits = new ArrayList<>();
         for (int i = 0; i < surfaces.size(); i++) {
-            double crossing = surfaces.get(i).firstCrossing(ray.origin(), ray.direction(), ray.departureFrom(i));
+            Departure departure = i == ray.surfaceLeft() ? ray.departure() : Departure.ELSEWHERE;
+            double crossing = surfaces.get(i).firstCrossing(ray.origin(), ray.direction(), departure);
             if (crossing < Surface.MISS) {
                 hits.add(surfaces.get(i).hit(ray, crossing, i));
             }

@@ -2,8 +2,10 @@ package raytracing.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import raytracing.math.Vector;
 
 class HitTest {
@@ -32,9 +34,14 @@ class HitTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"3, OUTWARD", "2, ELSEWHERE"})
-    void aRayKnowsOnlyTheSurfaceItLeaves(int surface, Departure expected) {
-        Ray mirrored = new Hit(3, 0, 1, Vector.ZERO, UP, Departure.OUTWARD).leaving(UP);
-        assertEquals(expected, mirrored.departureFrom(surface));
+    @EnumSource(names = {"OUTWARD", "INWARD"})
+    void aRayKnowsWhichSurfaceItLeavesAndToWhichSide(Departure side) {
+        Ray mirrored = new Hit(3, 0, 1, Vector.ZERO, UP, side).leaving(UP);
+        assertEquals(new Ray(Vector.ZERO, UP, 3, side), mirrored);
+    }
+
+    @Test
+    void aRayFromAFreePointLeavesNoSurface() {
+        assertEquals(new Ray(UP, UP, Ray.NO_SURFACE, Departure.ELSEWHERE), new Ray(UP, UP));
     }
 }

@@ -1,6 +1,7 @@
 package raytracing.math;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -96,6 +97,14 @@ class VectorTest {
     @Test
     void theZeroVectorHasLengthZero() {
         assertEquals(0, Vector.ZERO.length());
+    }
+
+    @Test
+    void onlyTheZeroVectorIsZero() {
+        assertTrue(Vector.ZERO.isZero());
+        assertTrue(new Vector(-0.0, 0, -0.0).isZero());
+        assertFalse(new Vector(0, Double.MIN_VALUE, 0).isZero());
+        assertFalse(new Vector(0, 0, Double.NaN).isZero());
     }
 
     /** The textbook formula, kept as a witness: these rows are hard, and it fails them. */
