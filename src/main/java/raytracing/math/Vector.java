@@ -80,6 +80,15 @@ public record Vector(double x, double y, double z) {
     }
 
     /**
+     * Maximum norm.
+     *
+     * @return size of the part furthest from 0
+     */
+    public double largestPart() {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
+    /**
      * Dot product.
      *
      * @param other any vector

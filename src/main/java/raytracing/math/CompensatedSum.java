@@ -1,0 +1,35 @@
+package raytracing.math;
+
+/**
+ * Sums of products as if worked out in twice the precision and rounded once: what every rounding takes is kept and added
+ * at the end (Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26:6, 2005, algorithm Dot2).
+ */
+public final class CompensatedSum {
+    private CompensatedSum() {
+    }
+
+    /**
+     * The number s + a . b.
+     *
+     * @param s first term
+     * @param ax vector a, x part
+     * @param ay y part
+     * @param az z part
+     * @param bx vector b, x part
+     * @param by y part
+     * @param bz z part
+     * @return error at most u times the result plus 2^-102 times the sum of the terms' sizes, u = 2^-53 (proved there)
+     */
+    public static double ofProducts(double s, double ax, double ay, double az, double bx, double by, double bz) {
+        double x = ax * bx;
+        double y = ay * by;
+        double z = az * bz;
+        double xy = x + y;
+        double xyz = xy + z;
+        double sum = s + xyz;
+        double productErrors = Math.fma(ax, bx, -x) + Math.fma(ay, by, -y) + Math.fma(az, bz, -z);
+        double sumErrors = DoubleDouble.errorOfSum(x, y, xy) + DoubleDouble.errorOfSum(xy, z, xyz)
+            + DoubleDouble.errorOfSum(s, xyz, sum);
+        return sum + (productErrors + sumErrors);
+    }
+}
