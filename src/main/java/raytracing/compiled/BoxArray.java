@@ -29,29 +29,37 @@ final class BoxArray {
         double dx = ray.direction().x();
         double dy = ray.direction().y();
         double dz = ray.direction().z();
+        double originError = ray.originError();
+        int left = ray.surfaceLeft();
         for (int i = 0; i < number.length; i++) {
-            if (number[i] != ray.surfaceLeft()) {
-                nearest.offer(firstCrossing(i, ox, oy, oz, dx, dy, dz), number[i]);
+            if (number[i] != left && !BoxKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, nearest.distance(), originError,
+                    x[i], y[i], z[i], half[i])) {
+                nearest.offer(BoxKernel.firstCrossing(ox, oy, oz, dx, dy, dz, originError, x[i], y[i], z[i], half[i]),
+                    number[i]);
             }
         }
     }
 
     /**
-     * What the boxes let through of light between o and o + d, both ends open, but for the surface left at o. The
+     * What the boxes let through of light between the points p and q, but for the surface left at p. The
      * array gives the transmittance of every surface of the scene by its number.
      */
-    double transmittance(double ox, double oy, double oz, double dx, double dy, double dz,
+    double transmittance(double px, double py, double pz, double pointError,
+                         double qx, double qy, double qz, double endError,
                          int surfaceLeft, double[] transmittanceOf) {
+        double dx = qx - px;
+        double dy = qy - py;
+        double dz = qz - pz;
+        double error = Math.max(pointError, endError);
         double product = 1;
         for (int i = 0; i < number.length && product > 0; i++) {
-            if (number[i] != surfaceLeft && firstCrossing(i, ox, oy, oz, dx, dy, dz) < 1) {
+            if (number[i] != surfaceLeft
+                    && !BoxKernel.isPlainlyMissed(px, py, pz, dx, dy, dz, 1, error, x[i], y[i], z[i], half[i])
+                    && BoxKernel.crossesBetween(px, py, pz, pointError, qx, qy, qz, endError,
+                    x[i], y[i], z[i], half[i])) {
                 product *= transmittanceOf[number[i]];
             }
         }
         return product;
-    }
-
-    private double firstCrossing(int i, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return BoxKernel.firstCrossing(ox - x[i], oy - y[i], oz - z[i], dx, dy, dz, half[i]);
     }
 }

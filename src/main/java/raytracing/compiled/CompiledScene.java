@@ -8,8 +8,10 @@ import raytracing.geometry.Departure;
 import raytracing.geometry.Hit;
 import raytracing.geometry.Plane;
 import raytracing.geometry.Ray;
+import raytracing.geometry.Segment;
 import raytracing.geometry.Sphere;
 import raytracing.geometry.Surface;
+import raytracing.math.AxisOrder;
 import raytracing.math.Vector;
 import raytracing.scene.Scene;
 
@@ -102,12 +104,21 @@ public final class CompiledScene {
     }
 
     private Optional<Hit> nearest(Ray ray, Nearest nearest) {
-        spheres.offerCrossings(ray, nearest);
-        planes.offerCrossings(ray, nearest);
+        Vector o = ray.origin();
+        Vector d = ray.direction();
+        AxisOrder order = AxisOrder.of(d.x(), d.y(), d.z());
+        double ou = order.first(o.x(), o.y(), o.z());
+        double ov = order.first(o.y(), o.z(), o.x());
+        double ow = order.first(o.z(), o.x(), o.y());
+        double du = order.first(d.x(), d.y(), d.z());
+        double dv = order.first(d.y(), d.z(), d.x());
+        double dw = order.first(d.z(), d.x(), d.y());
+        spheres.offerCrossings(ray, order, ou, ov, ow, du, dv, dw, nearest);
+        planes.offerCrossings(ray, order, ou, ov, ow, du, dv, dw, nearest);
         boxes.offerCrossings(ray, nearest);
         int left = ray.surfaceLeft();
         if (left != Ray.NO_SURFACE) {
-            nearest.offer(surfaces.get(left).firstCrossing(ray.origin(), ray.direction(), ray.departure()), left);
+            nearest.offer(surfaces.get(left).firstCrossing(ray, ray.departure()), left);
         }
         if (nearest.isMiss()) {
             return Optional.empty();
@@ -122,31 +133,32 @@ public final class CompiledScene {
      * body shadows the part of a wide light that has sunk below the horizon of the hit.
      *
      * @param hit one end
-     * @param dx the other end minus {@code hit.point()}, x part
-     * @param dy y part
-     * @param dz z part
+     * @param qx the other end, x part
+     * @param qy y part
+     * @param qz z part
+     * @param endError how far each part of the other end may be off
      * @return product of the surfaces' transmittances, in [0, 1]
      */
-    public double transmittance(Hit hit, double dx, double dy, double dz) {
-        double ox = hit.point().x();
-        double oy = hit.point().y();
-        double oz = hit.point().z();
+    public double transmittance(Hit hit, double qx, double qy, double qz, double endError) {
+        double px = hit.point().x();
+        double py = hit.point().y();
+        double pz = hit.point().z();
+        double error = hit.pointError();
         int left = hit.surface();
-        double product = spheres.transmittance(ox, oy, oz, dx, dy, dz, left, transmittanceOf);
+        double product = spheres.transmittance(px, py, pz, error, qx, qy, qz, endError, left, transmittanceOf);
         if (product > 0) {
-            product *= planes.transmittance(ox, oy, oz, dx, dy, dz, left, transmittanceOf);
+            product *= planes.transmittance(px, py, pz, error, qx, qy, qz, endError, left, transmittanceOf);
         }
         if (product > 0) {
-            product *= boxes.transmittance(ox, oy, oz, dx, dy, dz, left, transmittanceOf);
+            product *= boxes.transmittance(px, py, pz, error, qx, qy, qz, endError, left, transmittanceOf);
         }
-        if (product > 0 && hit.departureTowards(dx, dy, dz) == Departure.INWARD) {
-            product *= ownTransmittance(hit, new Vector(dx, dy, dz));
+        if (product > 0 && hit.departureTowards(qx - px, qy - py, qz - pz) == Departure.INWARD) {
+            product *= ownTransmittance(hit, new Segment(hit.point(), error, new Vector(qx, qy, qz), endError));
         }
         return product;
     }
 
-    private double ownTransmittance(Hit hit, Vector inward) {
-        boolean throughBody = surfaces.get(hit.surface()).firstCrossing(hit.point(), inward, Departure.INWARD) < 1;
-        return throughBody ? transmittanceOf[hit.surface()] : 1;
+    private double ownTransmittance(Hit hit, Segment inward) {
+        return surfaces.get(hit.surface()).crosses(inward, Departure.INWARD) ? transmittanceOf[hit.surface()] : 1;
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import raytracing.geometry.Plane;
 import raytracing.geometry.PlaneKernel;
 import raytracing.geometry.Ray;
+import raytracing.math.AxisOrder;
 
 /** All planes of a scene, flat. Entry i of every array belongs to the same plane. */
 final class PlaneArray {
@@ -21,37 +22,39 @@ final class PlaneArray {
         number = numbers.stream().mapToInt(Integer::intValue).toArray();
     }
 
-    /** Offers the first crossing of a ray with every plane but the one it leaves. */
-    void offerCrossings(Ray ray, Nearest nearest) {
-        double ox = ray.origin().x();
-        double oy = ray.origin().y();
-        double oz = ray.origin().z();
-        double dx = ray.direction().x();
-        double dy = ray.direction().y();
-        double dz = ray.direction().z();
+    /**
+     * Offers the first crossing of a ray with every plane but the one it leaves. Its origin o and direction d are given in
+     * the order of axes that is the ray's.
+     */
+    void offerCrossings(Ray ray, AxisOrder order, double ou, double ov, double ow, double du, double dv, double dw,
+                        Nearest nearest) {
+        double[] u = order.first(x, y, z);
+        double[] v = order.first(y, z, x);
+        double[] w = order.first(z, x, y);
+        double originError = ray.originError();
+        int left = ray.surfaceLeft();
         for (int i = 0; i < number.length; i++) {
-            if (number[i] != ray.surfaceLeft()) {
-                nearest.offer(firstCrossing(i, ox, oy, oz, dx, dy, dz), number[i]);
+            if (number[i] != left) {
+                nearest.offer(PlaneKernel.firstCrossing(ou, ov, ow, du, dv, dw, originError,
+                    u[i], v[i], w[i], offset[i]), number[i]);
             }
         }
     }
 
     /**
-     * What the planes let through of light between o and o + d, both ends open, but for the surface left at o. The
+     * What the planes let through of light between the points p and q, but for the surface left at p. The
      * array gives the transmittance of every surface of the scene by its number.
      */
-    double transmittance(double ox, double oy, double oz, double dx, double dy, double dz,
+    double transmittance(double px, double py, double pz, double pointError,
+                         double qx, double qy, double qz, double endError,
                          int surfaceLeft, double[] transmittanceOf) {
         double product = 1;
         for (int i = 0; i < number.length && product > 0; i++) {
-            if (number[i] != surfaceLeft && firstCrossing(i, ox, oy, oz, dx, dy, dz) < 1) {
+            if (number[i] != surfaceLeft && PlaneKernel.crossesBetween(px, py, pz, pointError, qx, qy, qz, endError,
+                    x[i], y[i], z[i], offset[i])) {
                 product *= transmittanceOf[number[i]];
             }
         }
         return product;
-    }
-
-    private double firstCrossing(int i, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return PlaneKernel.firstCrossing(x[i], y[i], z[i], offset[i], ox, oy, oz, dx, dy, dz);
     }
 }

@@ -1,5 +1,6 @@
 package raytracing.geometry;
 
+import raytracing.math.AxisOrder;
 import raytracing.math.Vector;
 
 /**
@@ -12,17 +13,40 @@ import raytracing.math.Vector;
  */
 public record Plane(Vector normal, double offset, int material) implements Surface {
     @Override
-    public double firstCrossing(Vector origin, Vector direction, Departure departure) {
+    public double firstCrossing(Ray ray, Departure departure) {
         if (departure != Departure.ELSEWHERE) {
             return MISS;                     // a straight line leaves a plane once
         }
-        return PlaneKernel.firstCrossing(normal.x(), normal.y(), normal.z(), offset,
-            origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+        AxisOrder order = AxisOrder.of(ray.direction().x(), ray.direction().y(), ray.direction().z());
+        Vector o = order.sorted(ray.origin());
+        Vector d = order.sorted(ray.direction());
+        Vector n = order.sorted(normal);
+        return PlaneKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
+            n.x(), n.y(), n.z(), offset);
     }
 
     @Override
-    public Vector outwardNormal(Vector origin, Vector direction, double distance) {
+    public boolean crosses(Segment segment, Departure departure) {
+        if (departure != Departure.ELSEWHERE) {
+            return false;
+        }
+        Vector p = segment.start();
+        Vector q = segment.end();
+        return PlaneKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
+            q.x(), q.y(), q.z(), segment.endError(), normal.x(), normal.y(), normal.z(), offset);
+    }
+
+    @Override
+    public Vector outwardNormal(Ray ray, double distance) {
         return normal.unit();
+    }
+
+    /** The point along the ray, dropped onto the plane: from far away, rounding leaves it beside. */
+    @Override
+    public Vector point(Ray ray, double distance, Vector outwardNormal) {
+        Vector beside = ray.origin().plus(distance, ray.direction());
+        double gap = (offset - normal.dot(beside)) / normal.length();
+        return Math.abs(gap) < MISS ? beside.plus(gap, outwardNormal) : beside;
     }
 
     @Override

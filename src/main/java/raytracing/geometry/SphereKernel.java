@@ -1,70 +1,269 @@
 package raytracing.geometry;
 
+import raytracing.math.Vector;
+
 /**
- * Ray-sphere arithmetic on bare doubles, sphere at the origin. {@link Sphere} and the compiled scene both call it.
+ * Ray-sphere arithmetic on bare doubles, world axes. {@link Sphere} and the compiled scene both call it.
+ *
+ * <p>With f = o - c, the ray's squared half chord times d . d is the discriminant r r (d . d) - |f x d|^2. It is taken in
+ * this form because the terms of b b - a c cancel when a sphere is small and far (the two are equal by Lagrange's
+ * identity; Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
+ * 2019, chapter 7, make the same point). With q = b + sign(b) sqrt(discriminant) the crossings are power/q and q/a, so
+ * none comes from a difference of nearly equal numbers (Press et al., Numerical Recipes, section 5.6).
+ *
+ * <p>Doubles answer where a bound on their errors, known beforehand, leaves no doubt of any decision and cancellation
+ * has cost but a few bits; {@link CarefulSphere} answers the rest. No decision is wrong (proved below, measured in
+ * {@code NumericsRowsTest}); a crossing's error is at most 16 ulp (measured in {@code HardRaysTest}).
  */
 public final class SphereKernel {
+    /**
+     * (64 u)^2 with u = 2^-53. With A = (d . d)(f . f) and R = (d . d) r r, the discriminant's error is at most
+     * 17 u sqrt(R A) + 8 u R + 36 u^2 A where R exceeds its size, and at most 17 u sqrt(A |discriminant|) + 36 u^2 A
+     * beyond that (proved: 3 u for every part of f x d, 3 u for the sum of their squares). Either is below the square
+     * root of S A (R + S A) with this S.
+     */
+    private static final double SQUARED_ERROR = 0x1p-94;
+
+    /** 32 u: the error of b b - a power is at most 20 u times a (f . f + r r) (proved: 4 u for b, 8 u for power). */
+    private static final double QUICK_ERROR = 0x1p-48;
+
+    /** How much of the power's larger term must be left: cancellation then costs at most 2 bits. */
+    private static final double CLEAR_POWER = 0x1p-2;
+
+    /** How much of R must be left in the discriminant, that is, how far from grazing doubles are trusted. */
+    private static final double CLEAR_DISCRIMINANT = 0x1p-7;
+
+    /** (16 u)^2: the power's error is at most 8 u times its larger term (proved). */
+    private static final double SQUARED_POWER_ERROR = 0x1p-98;
+
+    /** Squares and their products above this carry no trace of subnormal numbers. */
+    private static final double SMALL_SQUARE = 0x1p-600;
+
     private SphereKernel() {
     }
 
     /**
-     * First crossing of the ray o + t d with the sphere of radius r around the origin.
+     * Whether a line plainly passes a sphere, for loops to ask first: most lines pass most spheres so far off that the
+     * textbook's discriminant, b b - a power, will do to see it.
      *
-     * <p>Whether there is one is decided at the point of closest approach: the terms of b b - a c cancel when a
-     * sphere is small and far (Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere
-     * Intersection, Ray Tracing Gems, 2019, chapter 7). With q = b + sign(b) sqrt(a h2) the roots are c/q and q/a,
-     * so none comes from a difference of nearly equal numbers (Press et al., Numerical Recipes, section 5.6).
-     *
-     * <p>Error at most 3 ulp for ordinary rays and for spheres that are small, far, or far from the world's origin
-     * (measured: 858 rays with exact answers). Digits are lost where a ray grazes, up to 23 bits, and where the origin
-     * lies close to the wall compared with the radius, as c cancels there.
-     *
-     * @param ox origin minus centre, x part; with {@code oy}, {@code oz} finite
+     * @param ox a point of the line, x part
      * @param oy y part
      * @param oz z part
-     * @param dx direction, x part; with {@code dy}, {@code dz} of any length but 0
+     * @param dx direction, x part
      * @param dy y part
      * @param dz z part
+     * @param cx centre, x part
+     * @param cy y part
+     * @param cz z part
      * @param r radius, above 0
-     * @return smallest crossing above 0, or {@link Surface#MISS}; never NaN; a touching ray hits
+     * @return true only if o + t d is outside the sphere for all t
      */
-    public static double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz, double r) {
+    public static boolean isPlainlyMissed(double ox, double oy, double oz, double dx, double dy, double dz,
+                                          double cx, double cy, double cz, double r) {
+        double fx = ox - cx;
+        double fy = oy - cy;
+        double fz = oz - cz;
+        double squaredDistance = fx * fx + fy * fy + fz * fz;
+        double squaredRadius = r * r;
+        double power = squaredDistance - squaredRadius;
         double a = dx * dx + dy * dy + dz * dz;
-        double b = -(ox * dx + oy * dy + oz * dz);
-        double foot = b / a;
-        double lx = ox + foot * dx;
-        double ly = oy + foot * dy;
-        double lz = oz + foot * dz;
-        double squaredHalfChord = r * r - (lx * lx + ly * ly + lz * lz);
-        if (!(squaredHalfChord >= 0)) {      // this way round, NaN is a miss
-            return Surface.MISS;
-        }
-        double root = Math.sqrt(a * squaredHalfChord);
-        double c = ox * ox + oy * oy + oz * oz - r * r;
-        if (b > 0) {
-            double q = b + root;
-            double near = c / q;
-            return near > 0 ? near : q / a;
-        }
-        double far = c / (b - root);         // the near root is behind the origin; so is this one, seen from outside
-        return far > 0 ? far : Surface.MISS;
+        double b = -(fx * dx + fy * dy + fz * dz);
+        return b * b - a * power < -quickError(a, squaredDistance + squaredRadius);
     }
 
     /**
-     * The crossing on the far side, for a ray that starts on the inner wall and goes inwards. As the origin lies on
-     * the sphere, c is 0 and the equation loses a root: what remains is exact where the coordinates are not.
+     * First crossing of the ray o + t d with a sphere.
      *
-     * @param ox origin minus centre, x part
+     * @param ox origin, x part
      * @param oy y part
      * @param oz z part
      * @param dx direction, x part; not all three 0
      * @param dy y part
      * @param dz z part
+     * @param originError how far each part of the origin may be off; if that leaves open on which side of the sphere
+     *        the ray starts, it starts on it
+     * @param cx centre, x part
+     * @param cy y part
+     * @param cz z part
+     * @param r radius, above 0
+     * @return smallest crossing above 0, or {@link Surface#MISS}; never NaN; a touching ray hits
+     */
+    public static double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz,
+                                       double originError, double cx, double cy, double cz, double r) {
+        double fx = ox - cx;
+        double fy = oy - cy;
+        double fz = oz - cz;
+        double squaredDistance = fx * fx + fy * fy + fz * fz;
+        double squaredRadius = r * r;
+        double power = squaredDistance - squaredRadius;
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = -(fx * dx + fy * dy + fz * dz);
+        boolean isPlainlyMet = b * b - a * power > quickError(a, squaredDistance + squaredRadius);
+        if (isPlainlyMet && power > CLEAR_POWER * squaredDistance) {
+            if (b <= 0) {
+                return Surface.MISS;         // even if rounding made b so: level with its centre, all lines outside pass it
+            }
+            double discriminant = discriminant(fx, fy, fz, dx, dy, dz, a * squaredRadius);
+            if (discriminant > CLEAR_DISCRIMINANT * a * squaredRadius) {
+                return power / (b + Math.sqrt(discriminant));
+            }
+        }
+        return firstCrossingOfOther(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, r);
+    }
+
+    /** For a sphere that is grazed, or small and far, or around the ray's origin. */
+    private static double firstCrossingOfOther(double ox, double oy, double oz, double dx, double dy, double dz,
+                                               double originError, double cx, double cy, double cz, double r) {
+        double fx = ox - cx;
+        double fy = oy - cy;
+        double fz = oz - cz;
+        double squaredDistance = fx * fx + fy * fy + fz * fz;
+        double squaredRadius = r * r;
+        double power = squaredDistance - squaredRadius;
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = -(fx * dx + fy * dy + fz * dz);
+        double discriminant = discriminant(fx, fy, fz, dx, dy, dz, a * squaredRadius);
+        if (isCertain(discriminant, a * squaredDistance, a * squaredRadius) && a > SMALL_SQUARE) {
+            if (discriminant < 0) {
+                return Surface.MISS;
+            }
+            if (power > CLEAR_POWER * squaredDistance && squaredDistance > SMALL_SQUARE) {
+                if (b <= 0) {
+                    return Surface.MISS;
+                }
+                if (discriminant > CLEAR_DISCRIMINANT * a * squaredRadius) {
+                    return power / (b + Math.sqrt(discriminant));
+                }
+            } else if (power < -CLEAR_POWER * squaredRadius && squaredRadius > SMALL_SQUARE) {
+                double root = Math.sqrt(discriminant);
+                return b > 0 ? (b + root) / a : power / (b - root);
+            }
+        }
+        return CarefulSphere.firstCrossing(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, r);
+    }
+
+    /**
+     * The crossing on the far side, for a ray that starts on the inner wall and goes inwards. As the origin lies on
+     * the sphere, its power is 0 and the equation loses a root: what remains is exact where the coordinates are not.
+     *
+     * @param ox origin, x part
+     * @param oy y part
+     * @param oz z part
+     * @param dx direction, x part; not all three 0
+     * @param dy y part
+     * @param dz z part
+     * @param cx centre, x part
+     * @param cy y part
+     * @param cz z part
      * @return twice the way to the closest approach, or {@link Surface#MISS} if that lies behind
      */
-    public static double acrossFromInnerWall(double ox, double oy, double oz, double dx, double dy, double dz) {
-        double a = dx * dx + dy * dy + dz * dz;
-        double across = -2 * (ox * dx + oy * dy + oz * dz) / a;
+    public static double acrossFromInnerWall(double ox, double oy, double oz, double dx, double dy, double dz,
+                                             double cx, double cy, double cz) {
+        double b = -((ox - cx) * dx + (oy - cy) * dy + (oz - cz) * dz);
+        double across = 2 * b / (dx * dx + dy * dy + dz * dz);
         return across > 0 ? across : Surface.MISS;
+    }
+
+    /**
+     * Whether the open line between two points crosses a sphere. The answer is the same from either end.
+     *
+     * @param px one end, x part
+     * @param py y part
+     * @param pz z part
+     * @param pointError how far each part of it may be off; within that of the sphere, it lies on it
+     * @param qx other end, x part
+     * @param qy y part
+     * @param qz z part
+     * @param endError the same for the other end
+     * @param cx centre, x part
+     * @param cy y part
+     * @param cz z part
+     * @param r radius, above 0
+     * @return true if the line enters or leaves the sphere strictly between its ends
+     */
+    public static boolean crossesBetween(double px, double py, double pz, double pointError,
+                                         double qx, double qy, double qz, double endError,
+                                         double cx, double cy, double cz, double r) {
+        double fx = px - cx;
+        double fy = py - cy;
+        double fz = pz - cz;
+        double dx = qx - px;
+        double dy = qy - py;
+        double dz = qz - pz;
+        double a = dx * dx + dy * dy + dz * dz;
+        double squaredDistance = fx * fx + fy * fy + fz * fz;
+        double squaredRadius = r * r;
+        double discriminant = discriminant(fx, fy, fz, dx, dy, dz, a * squaredRadius);
+        if (isCertain(discriminant, a * squaredDistance, a * squaredRadius)) {
+            if (discriminant < 0) {
+                return false;
+            }
+            int pointSide = side(squaredDistance, squaredRadius, pointError);
+            double gx = qx - cx;
+            double gy = qy - cy;
+            double gz = qz - cz;
+            int endSide = side(gx * gx + gy * gy + gz * gz, squaredRadius, endError);
+            if (pointSide != 0 && endSide != 0) {
+                double b = -(fx * dx + fy * dy + fz * dz);
+                // Both outside, the line crosses if its closest approach lies between them.
+                return pointSide > 0 && endSide > 0 ? b > 0 && b < a : pointSide != endSide;
+            }
+        }
+        return CarefulSphere.crossesBetween(px, py, pz, pointError, qx, qy, qz, endError, cx, cy, cz, r);
+    }
+
+    /**
+     * Whether a point is strictly outside a sphere.
+     *
+     * @param px point, x part
+     * @param py y part
+     * @param pz z part
+     * @param pointError how far each part of it may be off; within that of the sphere, it lies on it
+     * @param cx centre, x part
+     * @param cy y part
+     * @param cz z part
+     * @param r radius, above 0
+     * @return true if it is neither inside nor on the sphere
+     */
+    public static boolean isOutside(double px, double py, double pz, double pointError,
+                                    double cx, double cy, double cz, double r) {
+        double fx = px - cx;
+        double fy = py - cy;
+        double fz = pz - cz;
+        int side = side(fx * fx + fy * fy + fz * fz, r * r, pointError);
+        if (side != 0) {
+            return side > 0;
+        }
+        return CarefulSphere.side(new Vector(px, py, pz), pointError, new Vector(cx, cy, cz), r) > 0;
+    }
+
+    /** A bound on the error of b b - a power, given f . f + r r. */
+    private static double quickError(double a, double squares) {
+        return QUICK_ERROR * a * squares + SMALL_SQUARE;
+    }
+
+    private static double discriminant(double fx, double fy, double fz, double dx, double dy, double dz,
+                                       double squaredRadiusTimesA) {
+        double gx = fy * dz - fz * dy;
+        double gy = fz * dx - fx * dz;
+        double gz = fx * dy - fy * dx;
+        return squaredRadiusTimesA - (gx * gx + gy * gy + gz * gz);
+    }
+
+    /** Whether the sign of a discriminant is beyond its error; false for one that is no number. */
+    private static boolean isCertain(double discriminant, double squaredDistanceTimesA, double squaredRadiusTimesA) {
+        double error = SQUARED_ERROR * squaredDistanceTimesA;
+        return discriminant * discriminant > error * (squaredRadiusTimesA + error);
+    }
+
+    /** 1 outside, -1 inside, 0 if doubles cannot tell or the point's own error leaves it open. */
+    private static int side(double squaredDistance, double squaredRadius, double pointError) {
+        double power = squaredDistance - squaredRadius;
+        double larger = Math.max(squaredDistance, squaredRadius);
+        // |power| is at least the distance from the sphere times the larger of distance and radius.
+        if (power * power > (12 * pointError * pointError + SQUARED_POWER_ERROR * larger) * larger) {
+            return power > 0 ? 1 : -1;
+        }
+        return 0;
     }
 }

@@ -20,22 +20,39 @@ public sealed interface Surface permits Sphere, Plane, Box {
     /**
      * Where a ray first meets this surface. A ray that starts inside a body meets its wall from inside.
      *
-     * @param origin start of the ray
-     * @param direction of the ray, not zero, any length
-     * @param departure how the origin lies to this surface
+     * @param ray the ray, its direction of any length but 0
+     * @param departure how the ray's origin lies to this surface
      * @return smallest t above 0 with origin + t direction on the surface, or {@link #MISS}; never NaN
      */
-    double firstCrossing(Vector origin, Vector direction, Departure departure);
+    double firstCrossing(Ray ray, Departure departure);
+
+    /**
+     * Whether this surface lies in the way between two points.
+     *
+     * @param segment the open line between them
+     * @param departure how the line's start lies to this surface
+     * @return true if the line enters or leaves the surface strictly between its ends; the same from either end
+     */
+    boolean crosses(Segment segment, Departure departure);
 
     /**
      * The normal where a ray meets this surface.
      *
-     * @param origin start of the ray
-     * @param direction of the ray
-     * @param distance what {@link #firstCrossing} returned for this ray, not {@link #MISS}
+     * @param ray the ray
+     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
      * @return unit normal, out of the body; of a plane, to the side its scene line names
      */
-    Vector outwardNormal(Vector origin, Vector direction, double distance);
+    Vector outwardNormal(Ray ray, double distance);
+
+    /**
+     * The point where a ray meets this surface, at origin + distance direction or nearer to the surface than that.
+     *
+     * @param ray the ray
+     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
+     * @param outwardNormal what {@link #outwardNormal} returned for it
+     * @return the point, rounded
+     */
+    Vector point(Ray ray, double distance, Vector outwardNormal);
 
     /**
      * Presents this surface to a receiver that has one method for every kind.
@@ -77,11 +94,12 @@ public sealed interface Surface permits Sphere, Plane, Box {
      * @return point, normal towards the ray's origin, and the side
      */
     default Hit hit(Ray ray, double distance, int number) {
-        Vector outward = outwardNormal(ray.origin(), ray.direction(), distance);
-        Vector point = ray.origin().plus(distance, ray.direction());
+        Vector outward = outwardNormal(ray, distance);
+        Vector point = point(ray, distance, outward);
+        double pointError = PointError.ofCrossing(ray.origin(), ray.direction(), distance);
         boolean fromInside = outward.dot(ray.direction()) > 0;
         return fromInside
-            ? new Hit(number, material(), distance, point, outward.negated(), Departure.INWARD)
-            : new Hit(number, material(), distance, point, outward, Departure.OUTWARD);
+            ? new Hit(number, material(), distance, point, pointError, outward.negated(), Departure.INWARD)
+            : new Hit(number, material(), distance, point, pointError, outward, Departure.OUTWARD);
     }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
 import raytracing.geometry.Hit;
+import raytracing.geometry.PointError;
 import raytracing.geometry.Ray;
 import raytracing.math.CounterRandom;
 import raytracing.math.Vector;
@@ -29,6 +30,9 @@ public final class Shader {
      * more than one step from the picture with none left out (measured in {@code LeftOutLightTest}).
      */
     static final double NEGLIGIBLE_WEIGHT = 0x1p-12;
+
+    /** Four times the rounding of a plane's unit normal. */
+    private static final double NORMAL_ERROR = 0x1p-49;
 
     /** Counter of the key for a surface's mirrored ray; its lights use the counters from 0 on. */
     private static final long MIRROR = -1;
@@ -130,10 +134,11 @@ public final class Shader {
             Light light = lights.get(i);
             Vector toLight = light.position().minus(hit.point());
             double distance = toLight.length();
-            double facing = hit.normal().dot(toLight) / distance;
-            if (!(facing > 0)) {             // this way round, a light at the point itself lights nothing
+            double height = hit.normal().dot(toLight);
+            if (!(height > heightError(hit, light, distance))) {     // this way round, also where the light itself is
                 continue;
             }
+            double facing = height / distance;
             double highlight = Phong.highlight(material, light, mirrored.dot(toLight) / distance);
             if (highlight > 0 || !material.diffuse().isBlack()) {
                 double share = shadows.arrivingShare(hit, light, CounterRandom.bits(hitKey, i));
@@ -142,5 +147,15 @@ public final class Shader {
             }
         }
         return sum.total();
+    }
+
+    /**
+     * A light no higher above a surface than this is in it, as far as doubles know, and does not shine on it: the errors
+     * of both points along a unit normal, and that of the normal itself.
+     */
+    private static double heightError(Hit hit, Light light, double distance) {
+        Vector position = light.position();
+        return 2 * (hit.pointError() + PointError.written(position.x(), position.y(), position.z()))
+            + NORMAL_ERROR * distance;
     }
 }

@@ -2,6 +2,7 @@ package raytracing.shade;
 
 import raytracing.compiled.CompiledScene;
 import raytracing.geometry.Hit;
+import raytracing.geometry.PointError;
 import raytracing.math.Basis;
 import raytracing.math.CounterRandom;
 import raytracing.math.Vector;
@@ -39,25 +40,26 @@ final class SoftShadows {
     }
 
     private double meanTransmittance(Hit hit, Light light, long key) {
-        Vector toLight = light.position().minus(hit.point());
+        Vector middle = light.position();
+        double error = PointError.written(middle.x(), middle.y(), middle.z());
         if (root == 1 || light.width() == 0) {
-            return scene.transmittance(hit, toLight.x(), toLight.y(), toLight.z());
+            return scene.transmittance(hit, middle.x(), middle.y(), middle.z(), error);
         }
-        Basis square = Basis.around(toLight.unit());
+        Basis square = Basis.around(middle.minus(hit.point()).unit());
         Vector u = square.u();
         Vector v = square.v();
         double cell = light.width() / root;
-        double middle = root / 2.0;
+        double halfRoot = root / 2.0;
         double sum = 0;
         for (int row = 0; row < root; row++) {
             for (int column = 0; column < root; column++) {
                 long bits = CounterRandom.bits(key, (long) row * root + column);
-                double alongU = (column + CounterRandom.upperFraction(bits) - middle) * cell;
-                double alongV = (row + CounterRandom.lowerFraction(bits) - middle) * cell;
+                double alongU = (column + CounterRandom.upperFraction(bits) - halfRoot) * cell;
+                double alongV = (row + CounterRandom.lowerFraction(bits) - halfRoot) * cell;
                 sum += scene.transmittance(hit,
-                    toLight.x() + alongU * u.x() + alongV * v.x(),
-                    toLight.y() + alongU * u.y() + alongV * v.y(),
-                    toLight.z() + alongU * u.z() + alongV * v.z());
+                    middle.x() + (alongU * u.x() + alongV * v.x()),
+                    middle.y() + (alongU * u.y() + alongV * v.y()),
+                    middle.z() + (alongU * u.z() + alongV * v.z()), error);
             }
         }
         return sum / ((double) root * root);

@@ -15,6 +15,7 @@ import raytracing.SceneText;
 import raytracing.geometry.Departure;
 import raytracing.geometry.Hit;
 import raytracing.geometry.Ray;
+import raytracing.geometry.Segment;
 import raytracing.geometry.Surface;
 import raytracing.math.Vector;
 import raytracing.scene.Scene;
@@ -111,7 +112,7 @@ class CompiledSceneTest {
         List<Hit> hits = new ArrayList<>();
         for (int i = 0; i < surfaces.size(); i++) {
             Departure departure = i == ray.surfaceLeft() ? ray.departure() : Departure.ELSEWHERE;
-            double crossing = surfaces.get(i).firstCrossing(ray.origin(), ray.direction(), departure);
+            double crossing = surfaces.get(i).firstCrossing(ray, departure);
             if (crossing < Surface.MISS) {
                 hits.add(surfaces.get(i).hit(ray, crossing, i));
             }
@@ -132,22 +133,24 @@ class CompiledSceneTest {
                 random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
             Optional<Hit> hit = compiled.firstHit(ray);
             if (hit.isPresent()) {
-                Vector d = new Vector(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9));
-                double expected = transmittanceOfObjects(scene, hit.get(), d);
-                assertEquals(expected, compiled.transmittance(hit.get(), d.x(), d.y(), d.z()));
+                Vector end = new Vector(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9));
+                double expected = transmittanceOfObjects(scene, hit.get(), end);
+                assertEquals(expected, compiled.transmittance(hit.get(), end.x(), end.y(), end.z(), 0));
                 partial += expected > 0 && expected < 1 ? 1 : 0;
             }
         }
         assertTrue(partial > 100, "too few partial shadows to mean anything");
     }
 
-    private static double transmittanceOfObjects(Scene scene, Hit hit, Vector d) {
+    private static double transmittanceOfObjects(Scene scene, Hit hit, Vector end) {
+        Segment segment = new Segment(hit.point(), hit.pointError(), end, 0);
+        Vector d = end.minus(hit.point());
         double product = 1;
         for (int i = 0; i < scene.surfaces().size(); i++) {
             Surface surface = scene.surfaces().get(i);
             Departure departure = i == hit.surface()
                 ? hit.departureTowards(d.x(), d.y(), d.z()) : Departure.ELSEWHERE;
-            if (surface.firstCrossing(hit.point(), d, departure) < 1) {
+            if (surface.crosses(segment, departure)) {
                 product *= scene.materials().get(surface.material()).transparency();
             }
         }
@@ -180,17 +183,17 @@ class CompiledSceneTest {
     void lightIsWeakenedOnceByEverySurfaceInBetween(String why, double dx, double dy, double dz, double expected) {
         CompiledScene compiled = compiled("pln 1 1 1 0 1", "sph 0 0 4 1 1", "box 3 0 0 1 2", "sph 7 0 0 1 3",
             "box 0 5 0 2 4");
-        Hit origin = new Hit(0, 0, 1, Vector.ZERO, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
-        assertEquals(expected, compiled.transmittance(origin, dx, dy, dz), why);
+        Hit origin = new Hit(0, 0, 1, Vector.ZERO, 0, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
+        assertEquals(expected, compiled.transmittance(origin, dx, dy, dz, 0), why);
     }
 
     @Test
     void opaqueShadowsTakeNoNoticeOfTransparency() {
         CompiledScene compiled = new CompiledScene(scene("pln 0 1 0 0 1", "sph 0 3 0 1 4"),
             ShadowMode.ALL_SURFACES_STOP_LIGHT);
-        Hit floor = new Hit(0, 0, 1, Vector.ZERO, new Vector(0, 1, 0), Departure.OUTWARD);
-        assertEquals(0, compiled.transmittance(floor, 0, 9, 0));
-        assertEquals(1, compiled.transmittance(floor, 9, 9, 0));
+        Hit floor = new Hit(0, 0, 1, Vector.ZERO, 0, new Vector(0, 1, 0), Departure.OUTWARD);
+        assertEquals(0, compiled.transmittance(floor, 0, 9, 0, 0));
+        assertEquals(1, compiled.transmittance(floor, 9, 9, 0, 0));
     }
 
     @ParameterizedTest(name = "{0}")
@@ -206,8 +209,8 @@ class CompiledSceneTest {
                                                      double expected) {
         for (String body : new String[] {"sph 0 -1 0 1 2", "box 0 -1 0 2 2"}) {
             Vector normal = new Vector(0, seenFrom == Departure.OUTWARD ? 1 : -1, 0);
-            Hit top = new Hit(0, 1, 1, Vector.ZERO, normal, seenFrom);
-            assertEquals(expected, compiled(body).transmittance(top, dx, dy, 0), why);
+            Hit top = new Hit(0, 1, 1, Vector.ZERO, 0, normal, seenFrom);
+            assertEquals(expected, compiled(body).transmittance(top, dx, dy, 0, 0), why);
         }
     }
 }

@@ -21,7 +21,7 @@ class HitTest {
         "INWARD,  -1, OUTWARD",
     })
     void aLineLeavesToTheSideItsDirectionPointsTo(Departure seenFrom, double dy, Departure expected) {
-        Hit hit = new Hit(3, 0, 1, Vector.ZERO, UP, seenFrom);
+        Hit hit = new Hit(3, 0, 1, Vector.ZERO, 1e-9, UP, seenFrom);
         assertEquals(expected, hit.departureTowards(1, dy, 0));
     }
 
@@ -29,19 +29,19 @@ class HitTest {
     @CsvSource({"3, -1, -1, OUTWARD", "1, -1, -1, INWARD", "-1, 3, -1, OUTWARD", "-1, 1, -1, INWARD",
         "-1, -1, 3, OUTWARD", "-1, -1, 1, INWARD"})
     void allThreePartsOfTheNormalDecide(double dx, double dy, double dz, Departure expected) {
-        Hit hit = new Hit(3, 0, 1, Vector.ZERO, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
+        Hit hit = new Hit(3, 0, 1, Vector.ZERO, 1e-9, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
         assertEquals(expected, hit.departureTowards(dx, dy, dz));
     }
 
     @ParameterizedTest
     @EnumSource(names = {"OUTWARD", "INWARD"})
     void aRayKnowsWhichSurfaceItLeavesAndToWhichSide(Departure side) {
-        Ray mirrored = new Hit(3, 0, 1, Vector.ZERO, UP, side).leaving(UP);
-        assertEquals(new Ray(Vector.ZERO, UP, 3, side), mirrored);
+        Ray mirrored = new Hit(3, 0, 1, Vector.ZERO, 1e-9, UP, side).leaving(UP);
+        assertEquals(new Ray(Vector.ZERO, 1e-9, UP, 3, side), mirrored);
     }
 
     @Test
     void aRayFromAFreePointLeavesNoSurface() {
-        assertEquals(new Ray(UP, UP, Ray.NO_SURFACE, Departure.ELSEWHERE), new Ray(UP, UP));
+        assertEquals(new Ray(UP, 0x1p-51, UP, Ray.NO_SURFACE, Departure.ELSEWHERE), new Ray(UP, UP));
     }
 }

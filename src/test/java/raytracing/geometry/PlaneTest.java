@@ -24,20 +24,20 @@ class PlaneTest {
     })
     void firstCrossingIsTheOneSolvedByHand(String why, double y, double dx, double dy, double dz, double expected) {
         assertEquals(expected,
-            LEVEL.firstCrossing(new Vector(7, y, 9), new Vector(dx, dy, dz), Departure.ELSEWHERE), why);
+            LEVEL.firstCrossing(new Ray(new Vector(7, y, 9), new Vector(dx, dy, dz)), Departure.ELSEWHERE), why);
     }
 
     @Test
     void aRayNeverMeetsThePlaneItLeaves() {
         Vector rounded = new Vector(0, Math.nextUp(2.0), 0);
         Vector down = new Vector(0, -1, 0);
-        assertEquals(Surface.MISS, LEVEL.firstCrossing(rounded, down, Departure.OUTWARD));
-        assertEquals(Surface.MISS, LEVEL.firstCrossing(rounded, down, Departure.INWARD));
+        assertEquals(Surface.MISS, LEVEL.firstCrossing(new Ray(rounded, down), Departure.OUTWARD));
+        assertEquals(Surface.MISS, LEVEL.firstCrossing(new Ray(rounded, down), Departure.INWARD));
     }
 
     @Test
     void theNormalIsUnitAndAsWritten() {
-        assertEquals(new Vector(0, 1, 0), LEVEL.outwardNormal(new Vector(0, 0, 0), new Vector(0, 1, 0), 2));
+        assertEquals(new Vector(0, 1, 0), LEVEL.outwardNormal(new Ray(new Vector(0, 0, 0), new Vector(0, 1, 0)), 2));
     }
 
     @Test

@@ -25,7 +25,7 @@ class SoftShadowsTest {
         mtl 1 1 1 0 0 0 0 0 0 1 0.5
         pln 0 1 0 0 1
         """;
-    private static final Hit FLOOR = new Hit(0, 0, 1, Vector.ZERO, new Vector(0, 1, 0), Departure.OUTWARD);
+    private static final Hit FLOOR = new Hit(0, 0, 1, Vector.ZERO, 0, new Vector(0, 1, 0), Departure.OUTWARD);
 
     private static double share(int root, long key, double shadowIntensity, double width, String... surfaces) {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces)

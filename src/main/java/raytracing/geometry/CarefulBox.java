@@ -1,0 +1,216 @@
+package raytracing.geometry;
+
+import java.math.BigDecimal;
+import java.util.stream.Stream;
+import raytracing.math.DoubleDouble;
+import raytracing.math.Vector;
+
+/**
+ * The questions about boxes that doubles leave open: rays through edges and corners or in the plane of a face, origins
+ * on a face. Ways to the faces are double-doubles, whose signs are right; which of two faces is passed first is asked of
+ * exact decimals where 106 bits leave a doubt. So every decision is that of real arithmetic on the doubles given,
+ * provided the sizes of lengths differ by less than 2^400.
+ */
+final class CarefulBox {
+    /** Error of the difference of two products of a way and a speed, relative to either: below 2^-100 (proved). */
+    private static final double ERROR = 0x1p-98;
+
+    private CarefulBox() {
+    }
+
+    /**
+     * A ray and the two faces of the cube on one axis. The near one is that which the ray passes first, wherever it
+     * starts; ways count along the ray.
+     *
+     * @param sign 1 or -1, that of the ray's direction on this axis
+     * @param speed size of the direction on this axis
+     * @param from where the ray starts
+     * @param error how far that may be off
+     * @param middle of the cube
+     * @param half the edge, from the middle to a face
+     */
+    private record Slab(double sign, DoubleDouble speed, double from, double error, double middle, double half) {
+        boolean isCrossed() {
+            return speed.sign() != 0;
+        }
+
+        DoubleDouble wayToNear() {
+            return way(-half);
+        }
+
+        DoubleDouble wayToFar() {
+            return way(half);
+        }
+
+        /** The way to a face; 0 if the ray starts on the face's plane as far as that is known. */
+        private DoubleDouble way(double towards) {
+            DoubleDouble way = DoubleDouble.difference(sign * middle, sign * from).plus(new DoubleDouble(towards, 0));
+            return Math.abs(way.high()) <= error ? DoubleDouble.ZERO : way;
+        }
+
+        private BigDecimal exactWay(double towards) {
+            return way(towards).sign() == 0 ? BigDecimal.ZERO : new BigDecimal(middle).subtract(new BigDecimal(from))
+                .multiply(new BigDecimal(sign)).add(new BigDecimal(towards));
+        }
+
+        private BigDecimal exactSpeed() {
+            return new BigDecimal(speed.high()).add(new BigDecimal(speed.low()));
+        }
+
+        double crossing(double towards) {
+            return BoxKernel.crossing(from, sign * speed.high(), middle, towards);
+        }
+
+        boolean isEnteredAfterEntering(Slab other) {
+            return isAfter(-half, other, -other.half);
+        }
+
+        boolean isEnteredAfterLeaving(Slab other) {
+            return isAfter(-half, other, other.half);
+        }
+
+        boolean isLeftAfterLeaving(Slab other) {
+            return isAfter(half, other, other.half);
+        }
+
+        /** Compares way / speed with that of another slab, multiplied out. */
+        private boolean isAfter(double towards, Slab other, double otherTowards) {
+            DoubleDouble mine = way(towards).times(other.speed);
+            DoubleDouble others = other.way(otherTowards).times(speed);
+            double difference = mine.minus(others).high();
+            if (Math.abs(difference) > ERROR * Math.abs(mine.high())) {
+                return difference > 0;
+            }
+            return exactWay(towards).multiply(other.exactSpeed())
+                .compareTo(other.exactWay(otherTowards).multiply(exactSpeed())) > 0;
+        }
+    }
+
+    /** {@link BoxKernel#firstCrossing}, for the rays that it leaves open. */
+    static double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz,
+                                double originError, double cx, double cy, double cz, double half) {
+        Vector origin = new Vector(ox, oy, oz);
+        Vector direction = new Vector(dx, dy, dz);
+        Vector centre = new Vector(cx, cy, cz);
+        int length = Scaling.exponent(Math.max(Math.max(origin.largestPart(), centre.largestPart()), half));
+        int step = Scaling.exponent(direction.largestPart());
+        Vector o = Scaling.down(origin, length);
+        Vector d = Scaling.down(direction, step);
+        Vector c = Scaling.down(centre, length);
+        double error = Scaling.down(originError, length);
+        double h = Scaling.down(half, length);
+        double crossing = firstCrossing(slab(o.x(), d.x(), error, c.x(), h), slab(o.y(), d.y(), error, c.y(), h),
+            slab(o.z(), d.z(), error, c.z(), h));
+        return Scaling.upPositive(crossing, length - step);
+    }
+
+    private static Slab slab(double o, double d, double error, double c, double h) {
+        return new Slab(Math.copySign(1, d), new DoubleDouble(Math.abs(d), 0), o, error, c, h);
+    }
+
+    private static double firstCrossing(Slab... slabs) {
+        if (Stream.of(slabs).anyMatch(slab -> !slab.isCrossed() && isBeyond(slab))) {
+            return Surface.MISS;             // beside the cube all the way
+        }
+        Slab entered = Stream.of(slabs).filter(Slab::isCrossed)
+            .reduce((first, second) -> second.isEnteredAfterEntering(first) ? second : first).orElseThrow();
+        Slab left = Stream.of(slabs).filter(Slab::isCrossed)
+            .reduce((first, second) -> first.isLeftAfterLeaving(second) ? second : first).orElseThrow();
+        if (entered.isEnteredAfterLeaving(left)) {
+            return Surface.MISS;
+        }
+        if (entered.wayToNear().sign() > 0) {
+            return entered.crossing(-entered.half());
+        }
+        return left.wayToFar().sign() > 0 ? left.crossing(left.half()) : Surface.MISS;
+    }
+
+    /** Whether a point is strictly outside. */
+    static boolean isOutside(Vector point, double pointError, Vector centre, double half) {
+        int length = Scaling.exponent(Math.max(Math.max(point.largestPart(), centre.largestPart()), half));
+        Vector p = Scaling.down(point, length);
+        Vector c = Scaling.down(centre, length);
+        double error = Scaling.down(pointError, length);
+        double h = Scaling.down(half, length);
+        return isBeyond(slab(p.x(), 1, error, c.x(), h)) || isBeyond(slab(p.y(), 1, error, c.y(), h))
+            || isBeyond(slab(p.z(), 1, error, c.z(), h));
+    }
+
+    private static boolean isBeyond(Slab slab) {
+        return slab.wayToNear().sign() > 0 || slab.wayToFar().sign() < 0;
+    }
+
+    /** {@link BoxKernel#crossesBetween}, for the lines that it leaves open. */
+    static boolean crossesBetween(double px, double py, double pz, double pointError,
+                                  double qx, double qy, double qz, double endError,
+                                  double cx, double cy, double cz, double half) {
+        Vector point = new Vector(px, py, pz);
+        Vector end = new Vector(qx, qy, qz);
+        Vector centre = new Vector(cx, cy, cz);
+        int length = Scaling.exponent(Math.max(Math.max(point.largestPart(), end.largestPart()),
+            Math.max(centre.largestPart(), half)));
+        Vector p = Scaling.down(point, length);
+        Vector q = Scaling.down(end, length);
+        Vector c = Scaling.down(centre, length);
+        Line line = new Line(Scaling.down(pointError, length), Scaling.down(endError, length),
+            Scaling.down(half, length));
+        return line.meets(p.x(), q.x(), c.x()) && line.meets(p.y(), q.y(), c.y()) && line.meets(p.z(), q.z(), c.z())
+            && line.crosses();
+    }
+
+    /** The line between two points, judged axis by axis. */
+    private static final class Line {
+        private final double startError;
+        private final double endError;
+        private final double half;
+        private final Slab[] slabs = new Slab[3];
+        private final boolean[] startsBefore = new boolean[3];
+        private final boolean[] endsBehind = new boolean[3];
+        private boolean startsInside = true;
+        private boolean endsInside = true;
+        private int axes;
+
+        Line(double startError, double endError, double half) {
+            this.startError = startError;
+            this.endError = endError;
+            this.half = half;
+        }
+
+        /** Notes one axis; false if both ends lie to one side of the cube there, or one does and the other on its face. */
+        boolean meets(double start, double end, double middle) {
+            double sign = end < start ? -1 : 1;
+            DoubleDouble speed = DoubleDouble.difference(sign * end, sign * start);
+            Slab fromStart = new Slab(sign, speed, start, startError, middle, half);
+            Slab fromEnd = new Slab(sign, speed, end, endError, middle, half);
+            int startToNear = fromStart.wayToNear().sign();
+            int startToFar = fromStart.wayToFar().sign();
+            int endToNear = fromEnd.wayToNear().sign();
+            int endToFar = fromEnd.wayToFar().sign();
+            slabs[axes] = fromStart;
+            startsBefore[axes] = startToNear > 0;
+            endsBehind[axes] = endToFar < 0;
+            startsInside &= startToNear <= 0;
+            endsInside &= endToFar >= 0;
+            axes++;
+            boolean staysBefore = endToNear > 0 || endToNear == 0 && startToNear > 0;
+            boolean staysBehind = startToFar < 0 || startToFar == 0 && endToFar < 0;
+            return !staysBefore && !staysBehind;
+        }
+
+        /** After all axes: between its ends the line passes a wall. */
+        boolean crosses() {
+            if (startsInside || endsInside) {
+                return startsInside != endsInside;
+            }
+            for (int entered = 0; entered < axes; entered++) {
+                for (int left = 0; left < axes; left++) {
+                    if (startsBefore[entered] && endsBehind[left]
+                            && slabs[entered].isEnteredAfterLeaving(slabs[left])) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        }
+    }
+}

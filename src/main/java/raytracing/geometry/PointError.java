@@ -1,0 +1,46 @@
+package raytracing.geometry;
+
+import raytracing.math.Vector;
+
+/**
+ * How far the parts of a point may be off from where it is meant to be. A secondary ray starts at a rounded point; where
+ * the rounding leaves open on which side of some surface that is, the point lies on that surface. So surfaces that touch
+ * or coincide cast no shadow on each other at random, at any scale, and no length is ever called small.
+ */
+public final class PointError {
+    /**
+     * 4 units of u = 2^-53: a coordinate as written is off by half a unit in the last place, and so are the numbers of a
+     * surface written to go through it.
+     */
+    private static final double WRITTEN = 0x1p-51;
+
+    /** 16 u, for a crossing off by at most 16 ulp and the roundings of o + t d. Measured: 5 u ({@code HitPointTest}). */
+    private static final double COMPUTED = 0x1p-49;
+
+    private PointError() {
+    }
+
+    /**
+     * The error of a point that a scene names, or that is computed from such a one with a few roundings.
+     *
+     * @param x x part
+     * @param y y part
+     * @param z z part
+     * @return bound for each part, in scene units
+     */
+    public static double written(double x, double y, double z) {
+        return WRITTEN * Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
+    /**
+     * The error of a crossing's point.
+     *
+     * @param origin of the ray
+     * @param direction of the ray
+     * @param distance of the crossing
+     * @return bound for each part, in scene units
+     */
+    static double ofCrossing(Vector origin, Vector direction, double distance) {
+        return COMPUTED * (origin.largestPart() + distance * direction.largestPart());
+    }
+}
