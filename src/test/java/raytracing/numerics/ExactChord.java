@@ -1,0 +1,34 @@
+package raytracing.numerics;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+
+/**
+ * The stretch of a line inside a closed body, from t = near to t = far; of a plane, a single point. The signs of both
+ * ends, and whether they are equal, are exact; their values are rounded to {@link #DIGITS}.
+ */
+record ExactChord(BigDecimal near, BigDecimal far) {
+    static final MathContext DIGITS = new MathContext(60);
+
+    static ExactChord between(BigDecimal s, BigDecimal t) {
+        return new ExactChord(s.min(t), s.max(t));
+    }
+
+    /** Which end a ray from t = 0 meets first. */
+    Root firstRoot() {
+        if (near.signum() > 0) {
+            return Root.NEAR;
+        }
+        return far.signum() > 0 ? Root.FAR : Root.NONE;
+    }
+
+    ExactAnswer answer() {
+        return switch (firstRoot()) {
+            case NEAR -> new ExactAnswer(near.doubleValue(), far.doubleValue());
+            case FAR -> new ExactAnswer(far.doubleValue(), near.doubleValue());
+            case NONE -> ExactAnswer.NO_CROSSING;
+        };
+    }
+
+    enum Root { NONE, NEAR, FAR }
+}

@@ -1,0 +1,51 @@
+package raytracing.numerics;
+
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import raytracing.math.Vector;
+
+/**
+ * A ray and a surface: where do they first meet? The shape is known from where the query comes.
+ *
+ * @param origin of the ray
+ * @param direction of the ray, of any length but 0
+ * @param vector centre of the sphere or box, normal of the plane
+ * @param scalar radius, edge or offset
+ */
+public record Query(Vector origin, Vector direction, Vector vector, double scalar) {
+    /** The same query in other axes. */
+    public Query inAxes(UnaryOperator<Vector> axes) {
+        return new Query(axes.apply(origin), axes.apply(direction), axes.apply(vector), scalar);
+    }
+
+    static Query of(double ox, double oy, double oz, double dx, double dy, double dz,
+                    double x, double y, double z, double scalar) {
+        return new Query(new Vector(ox, oy, oz), new Vector(dx, dy, dz), new Vector(x, y, z), scalar);
+    }
+
+    /** The rest of the ray from o + t d on, rounded. */
+    public Query startingAt(double t) {
+        return new Query(origin.plus(t, direction), direction, vector, scalar);
+    }
+
+    /** The same line, run through at another speed. */
+    public Query withDirection(Vector other) {
+        return new Query(origin, other, vector, scalar);
+    }
+
+    /** The same ray to another place. */
+    public Query withVector(Vector other) {
+        return new Query(origin, direction, other, scalar);
+    }
+
+    /** In hexadecimal, so that a failure can be repeated to the last bit. */
+    @Override
+    public String toString() {
+        return "o " + hexadecimal(origin) + ", d " + hexadecimal(direction) + ", surface " + hexadecimal(vector)
+            + String.format(Locale.ROOT, " %a", scalar);
+    }
+
+    private static String hexadecimal(Vector v) {
+        return String.format(Locale.ROOT, "(%a %a %a)", v.x(), v.y(), v.z());
+    }
+}
