@@ -1,0 +1,43 @@
+package raytracing;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+
+/** Where a figure was measured. */
+final class Machine {
+    private static final Path LINUX_PROCESSORS = Path.of("/proc/cpuinfo");
+
+    private Machine() {
+    }
+
+    static String facts() throws IOException {
+        return Runtime.getRuntime().availableProcessors() + " processors (" + processor() + "), "
+            + System.getProperty("os.name") + "; " + System.getProperty("java.vm.name") + " "
+            + System.getProperty("java.runtime.version") + "; commit " + commit() + ".";
+    }
+
+    private static String processor() throws IOException {
+        if (!Files.exists(LINUX_PROCESSORS)) {
+            return System.getProperty("os.arch");
+        }
+        try (Stream<String> lines = Files.lines(LINUX_PROCESSORS)) {
+            return lines.filter(line -> line.startsWith("model name")).map(line -> line.split(":\\s*", 2)[1])
+                .findFirst().orElse(System.getProperty("os.arch"));
+        }
+    }
+
+    /** Says so if the sources are not exactly those of the commit. */
+    private static String commit() throws IOException {
+        String commit = output("git", "rev-parse", "--short", "HEAD");
+        String changes = output("git", "status", "--porcelain", "--", "src/main", "src/test", "src/bench");
+        return commit.isEmpty() ? "unknown" : commit + (changes.isEmpty() ? "" : " with changes");
+    }
+
+    private static String output(String... command) throws IOException {
+        Process process = new ProcessBuilder(command).start();
+        return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+    }
+}
