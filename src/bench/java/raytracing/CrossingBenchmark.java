@@ -30,7 +30,7 @@ import raytracing.numerics.SphereFamily;
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
-@Warmup(iterations = 4, time = 120, timeUnit = TimeUnit.MILLISECONDS)
+@Warmup(iterations = 4, time = 200, timeUnit = TimeUnit.MILLISECONDS)
 @Measurement(iterations = 4, time = 60, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class CrossingBenchmark {

@@ -1,5 +1,6 @@
 package raytracing.geometry;
 
+import raytracing.math.DoubleDouble;
 import raytracing.math.Vector;
 
 /**
@@ -30,11 +31,17 @@ public final class SphereKernel {
     /** How much of the power's larger term must be left: cancellation then costs at most 2 bits. */
     private static final double CLEAR_POWER = 0x1p-2;
 
+    /** Above this, a compensated power's error, at most 2^-101 times the squares it adds up, is far below rounding. */
+    private static final double COMPENSATED_POWER_ERROR = 0x1p-46;
+
     /** How much of R must be left in the discriminant, that is, how far from grazing doubles are trusted. */
-    private static final double CLEAR_DISCRIMINANT = 0x1p-7;
+    private static final double CLEAR_DISCRIMINANT = 0x1p-9;
 
     /** (16 u)^2: the power's error is at most 8 u times its larger term (proved). */
     private static final double SQUARED_POWER_ERROR = 0x1p-98;
+
+    /** The same for rays that start close to the sphere, where an error of the discriminant weighs more. */
+    private static final double CLEAR_BESIDE = 0x1p-4;
 
     /** Squares and their products above this carry no trace of subnormal numbers. */
     private static final double SMALL_SQUARE = 0x1p-600;
@@ -44,7 +51,7 @@ public final class SphereKernel {
 
     /**
      * Whether a line plainly passes a sphere, for loops to ask first: most lines pass most spheres so far off that the
-     * textbook's discriminant, b b - a power, will do to see it.
+     * textbook's discriminant, b b - a power, will do to see it, even with its whole error against it.
      *
      * @param ox a point of the line, x part
      * @param oy y part
@@ -63,12 +70,10 @@ public final class SphereKernel {
         double fx = ox - cx;
         double fy = oy - cy;
         double fz = oz - cz;
-        double squaredDistance = fx * fx + fy * fy + fz * fz;
-        double squaredRadius = r * r;
-        double power = squaredDistance - squaredRadius;
+        double b = fx * dx + fy * dy + fz * dz;
         double a = dx * dx + dy * dy + dz * dz;
-        double b = -(fx * dx + fy * dy + fz * dz);
-        return b * b - a * power < -quickError(a, squaredDistance + squaredRadius);
+        double power = (1 - QUICK_ERROR) * (fx * fx + fy * fy + fz * fz) - (1 + QUICK_ERROR) * (r * r);
+        return b * b < a * power - SMALL_SQUARE;
     }
 
     /**
@@ -111,35 +116,54 @@ public final class SphereKernel {
         return firstCrossingOfOther(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, r);
     }
 
-    /** For a sphere that is grazed, or small and far, or around the ray's origin. */
+    /** For a sphere that is grazed, or small and far, or around the ray's origin or close to it. */
     private static double firstCrossingOfOther(double ox, double oy, double oz, double dx, double dy, double dz,
                                                double originError, double cx, double cy, double cz, double r) {
         double fx = ox - cx;
         double fy = oy - cy;
         double fz = oz - cz;
-        double squaredDistance = fx * fx + fy * fy + fz * fz;
-        double squaredRadius = r * r;
-        double power = squaredDistance - squaredRadius;
+        double squares = fx * fx + fy * fy + fz * fz + r * r;
         double a = dx * dx + dy * dy + dz * dz;
-        double b = -(fx * dx + fy * dy + fz * dz);
-        double discriminant = discriminant(fx, fy, fz, dx, dy, dz, a * squaredRadius);
-        if (isCertain(discriminant, a * squaredDistance, a * squaredRadius) && a > SMALL_SQUARE) {
+        double discriminant = discriminant(fx, fy, fz, dx, dy, dz, a * (r * r));
+        if (a > SMALL_SQUARE && squares > SMALL_SQUARE && isCertain(discriminant, a * squares, a * (r * r))) {
             if (discriminant < 0) {
                 return Surface.MISS;
             }
-            if (power > CLEAR_POWER * squaredDistance && squaredDistance > SMALL_SQUARE) {
-                if (b <= 0) {
-                    return Surface.MISS;
+            double power = compensatedPower(ox, oy, oz, cx, cy, cz, r);
+            double onSphere = 2 * originError * (Math.abs(fx) + Math.abs(fy) + Math.abs(fz));
+            double b = -(fx * dx + fy * dy + fz * dz);
+            double root = Math.sqrt(discriminant);
+            double q = Math.abs(b) + root;
+            if (Math.abs(power) > COMPENSATED_POWER_ERROR * squares + onSphere
+                    && discriminant > CLEAR_BESIDE * a * (r * r) && q * q > CLEAR_POWER * a * squares) {
+                if (b > 0) {
+                    return power > 0 ? power / (b + root) : (b + root) / a;
                 }
-                if (discriminant > CLEAR_DISCRIMINANT * a * squaredRadius) {
-                    return power / (b + Math.sqrt(discriminant));
-                }
-            } else if (power < -CLEAR_POWER * squaredRadius && squaredRadius > SMALL_SQUARE) {
-                double root = Math.sqrt(discriminant);
-                return b > 0 ? (b + root) / a : power / (b - root);
+                return power > 0 ? Surface.MISS : power / (b - root);
             }
         }
         return CarefulSphere.firstCrossing(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, r);
+    }
+
+    /** |o - c|^2 - r r, from exact differences and products, with one rounding. */
+    private static double compensatedPower(double ox, double oy, double oz, double cx, double cy, double cz, double r) {
+        double fx = ox - cx;
+        double fy = oy - cy;
+        double fz = oz - cz;
+        double xy = fx * fx + fy * fy;
+        double xyz = xy + fz * fz;
+        double power = xyz - r * r;
+        double errorX = errorOfSquare(fx, DoubleDouble.errorOfSum(ox, -cx, fx));
+        double errorY = errorOfSquare(fy, DoubleDouble.errorOfSum(oy, -cy, fy));
+        double errorZ = errorOfSquare(fz, DoubleDouble.errorOfSum(oz, -cz, fz));
+        double sumErrors = DoubleDouble.errorOfSum(fx * fx, fy * fy, xy) + DoubleDouble.errorOfSum(xy, fz * fz, xyz)
+            + DoubleDouble.errorOfSum(xyz, -(r * r), power);
+        return power + (sumErrors + ((errorX + errorY) + errorZ - errorOfSquare(r, 0)));
+    }
+
+    /** What v v leaves out of the square of v + error. */
+    private static double errorOfSquare(double v, double error) {
+        return Math.fma(v, v, -(v * v)) + 2 * v * error;
     }
 
     /**
@@ -184,6 +208,38 @@ public final class SphereKernel {
     public static boolean crossesBetween(double px, double py, double pz, double pointError,
                                          double qx, double qy, double qz, double endError,
                                          double cx, double cy, double cz, double r) {
+        double fx = px - cx;
+        double fy = py - cy;
+        double fz = pz - cz;
+        double gx = qx - cx;
+        double gy = qy - cy;
+        double gz = qz - cz;
+        double squaredRadius = r * r;
+        double squaredDistance = fx * fx + fy * fy + fz * fz;
+        double squaredEndDistance = gx * gx + gy * gy + gz * gz;
+        double power = squaredDistance - squaredRadius;
+        double endPower = squaredEndDistance - squaredRadius;
+        if (power > CLEAR_POWER * squaredDistance) {
+            if (endPower < -CLEAR_POWER * squaredRadius) {
+                return true;                 // from outside to inside
+            }
+            double dx = qx - px;
+            double dy = qy - py;
+            double dz = qz - pz;
+            double a = dx * dx + dy * dy + dz * dz;
+            double b = -(fx * dx + fy * dy + fz * dz);
+            if (endPower > CLEAR_POWER * squaredEndDistance
+                    && b * b - a * power > quickError(a, squaredDistance + squaredRadius)) {
+                return b > 0 && b < a;       // the closest approach lies between two ends outside
+            }
+        }
+        return crossesCloseBetween(px, py, pz, pointError, qx, qy, qz, endError, cx, cy, cz, r);
+    }
+
+    /** For an end close to the sphere or inside, and for a line that grazes it. */
+    private static boolean crossesCloseBetween(double px, double py, double pz, double pointError,
+                                               double qx, double qy, double qz, double endError,
+                                               double cx, double cy, double cz, double r) {
         double fx = px - cx;
         double fy = py - cy;
         double fz = pz - cz;
