@@ -104,6 +104,38 @@ public final class BoxKernel {
                 return crossing(oz, dz, cz, -h);
             }
         }
+        return firstCrossingOfOther(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, h);
+    }
+
+    /** For a cube around the ray's origin, and where times are too close. */
+    private static double firstCrossingOfOther(double ox, double oy, double oz, double dx, double dy, double dz,
+                                               double originError, double cx, double cy, double cz, double h) {
+        double mx = Math.copySign(1, dx) * (cx - ox);
+        double my = Math.copySign(1, dy) * (cy - oy);
+        double mz = Math.copySign(1, dz) * (cz - oz);
+        double inner = h - margin(h, originError);
+        double ix = 1 / Math.abs(dx);
+        double iy = 1 / Math.abs(dy);
+        double iz = 1 / Math.abs(dz);
+        double entry = greatest((mx - inner) * ix, (my - inner) * iy, (mz - inner) * iz);
+        double leaveX = (mx + inner) * ix;
+        double leaveY = (my + inner) * iy;
+        double leaveZ = (mz + inner) * iz;
+        double exit = least(leaveX, leaveY, leaveZ);
+        double slack = slack(exit, h, originError, largestFinite(ix, iy, iz));
+        if (entry < -slack && exit > slack) {
+            // Certainly inside: the ray leaves through the face that it passes first, if that is beyond doubt.
+            double after = exit + slack;
+            if (leaveY > after && leaveZ > after) {
+                return crossing(ox, dx, cx, h);
+            }
+            if (leaveX > after && leaveZ > after) {
+                return crossing(oy, dy, cy, h);
+            }
+            if (leaveX > after && leaveY > after) {
+                return crossing(oz, dz, cz, h);
+            }
+        }
         return CarefulBox.firstCrossing(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, h);
     }
 

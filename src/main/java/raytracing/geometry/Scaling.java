@@ -10,6 +10,9 @@ final class Scaling {
     /** Beyond this exponent a factor would not be a normal number. */
     private static final int LARGEST = 1000;
 
+    /** Exact decimals of numbers smaller than this, beside 1, are so long that a picture of them takes minutes. */
+    private static final double NEGLIGIBLE = 0x1p-400;
+
     private Scaling() {
     }
 
@@ -19,12 +22,18 @@ final class Scaling {
         return Math.abs(exponent) <= HARMLESS ? 0 : Math.max(-LARGEST, Math.min(LARGEST, exponent));
     }
 
+    /** A size scaled; where scaling is needed at all, a size 2^400 times smaller than the largest counts as 0. */
     static double down(double value, int exponent) {
-        return Math.scalb(value, -exponent);
+        if (exponent == 0) {
+            return value;
+        }
+        double scaled = Math.scalb(value, -exponent);
+        return Math.abs(scaled) < NEGLIGIBLE ? 0 : scaled;
     }
 
     static Vector down(Vector vector, int exponent) {
-        return vector.times(Math.scalb(1.0, -exponent));
+        return exponent == 0 ? vector
+            : new Vector(down(vector.x(), exponent), down(vector.y(), exponent), down(vector.z(), exponent));
     }
 
     /** A crossing above 0 stays above 0 and finite even where its size leaves the range. */
