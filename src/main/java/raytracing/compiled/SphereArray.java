@@ -1,10 +1,10 @@
 package raytracing.compiled;
 
 import java.util.List;
+import raytracing.geometry.Ray;
 import raytracing.geometry.Sphere;
 import raytracing.geometry.SphereKernel;
 import raytracing.math.AxisOrder;
-import raytracing.geometry.Ray;
 
 /** All spheres of a scene, flat. Entry i of every array belongs to the same sphere. */
 final class SphereArray {
@@ -35,8 +35,7 @@ final class SphereArray {
         int left = ray.surfaceLeft();
         for (int i = 0; i < number.length; i++) {
             if (number[i] != left
-                    && !SphereKernel.isPlainlyMissed(ou, ov, ow, du, dv, dw,
-                        u[i], v[i], w[i], radius[i])) {
+                    && !SphereKernel.isPlainlyMissed(ou, ov, ow, du, dv, dw, u[i], v[i], w[i], radius[i])) {
                 nearest.offer(SphereKernel.firstCrossing(ou, ov, ow, du, dv, dw, originError,
                     u[i], v[i], w[i], radius[i]), number[i]);
             }

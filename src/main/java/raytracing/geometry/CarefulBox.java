@@ -92,8 +92,8 @@ final class CarefulBox {
         Vector origin = new Vector(ox, oy, oz);
         Vector direction = new Vector(dx, dy, dz);
         Vector centre = new Vector(cx, cy, cz);
-        int length = Scaling.exponent(Math.max(Math.max(origin.largestPart(), centre.largestPart()), half));
-        int step = Scaling.exponent(direction.largestPart());
+        int length = Scaling.exponent(half, origin, centre);
+        int step = Scaling.exponent(0, direction);
         Vector o = Scaling.down(origin, length);
         Vector d = Scaling.down(direction, step);
         Vector c = Scaling.down(centre, length);
@@ -127,7 +127,7 @@ final class CarefulBox {
 
     /** Whether a point is strictly outside. */
     static boolean isOutside(Vector point, double pointError, Vector centre, double half) {
-        int length = Scaling.exponent(Math.max(Math.max(point.largestPart(), centre.largestPart()), half));
+        int length = Scaling.exponent(half, point, centre);
         Vector p = Scaling.down(point, length);
         Vector c = Scaling.down(centre, length);
         double error = Scaling.down(pointError, length);
@@ -147,8 +147,7 @@ final class CarefulBox {
         Vector point = new Vector(px, py, pz);
         Vector end = new Vector(qx, qy, qz);
         Vector centre = new Vector(cx, cy, cz);
-        int length = Scaling.exponent(Math.max(Math.max(point.largestPart(), end.largestPart()),
-            Math.max(centre.largestPart(), half)));
+        int length = Scaling.exponent(half, point, end, centre);
         Vector p = Scaling.down(point, length);
         Vector q = Scaling.down(end, length);
         Vector c = Scaling.down(centre, length);

@@ -25,9 +25,9 @@ final class CarefulPlane {
         Vector origin = new Vector(ox, oy, oz);
         Vector direction = new Vector(dx, dy, dz);
         Vector normal = new Vector(nx, ny, nz);
-        int slope = Scaling.exponent(normal.largestPart());
+        int slope = Scaling.exponent(0, normal);
         int length = lengthExponent(origin, slope, offset);
-        int step = Scaling.exponent(direction.largestPart());
+        int step = Scaling.exponent(0, direction);
         Vector n = Scaling.down(normal, slope);
         DoubleDouble gap = gap(Scaling.down(origin, length), Scaling.down(originError, length), n,
             Scaling.down(offset, slope + length));
@@ -49,14 +49,14 @@ final class CarefulPlane {
 
     /** How a point lies to a plane: 1 where N . P is below c, -1 above, 0 on it as far as the point is known. */
     private static int side(Vector point, double pointError, Vector normal, double offset) {
-        int slope = Scaling.exponent(normal.largestPart());
+        int slope = Scaling.exponent(0, normal);
         int length = lengthExponent(point, slope, offset);
         return gap(Scaling.down(point, length), Scaling.down(pointError, length), Scaling.down(normal, slope),
             Scaling.down(offset, slope + length)).sign();
     }
 
     private static int lengthExponent(Vector point, int slope, double offset) {
-        int ofPoint = Scaling.exponent(point.largestPart());
+        int ofPoint = Scaling.exponent(0, point);
         return offset == 0 ? ofPoint : Math.max(ofPoint, Scaling.exponent(offset) - slope);
     }
 

@@ -24,11 +24,12 @@ final class CarefulSphere {
     private final double radius;
     private final DoubleDoubleVector f;
 
-    private CarefulSphere(Vector origin, Vector centre, double radius) {
-        this.origin = origin;
-        this.centre = centre;
-        this.radius = radius;
-        f = DoubleDoubleVector.between(centre, origin);
+    /** With all lengths scaled down by an exponent. */
+    private CarefulSphere(Vector origin, Vector centre, double radius, int exponent) {
+        this.origin = Scaling.down(origin, exponent);
+        this.centre = Scaling.down(centre, exponent);
+        this.radius = Scaling.down(radius, exponent);
+        f = DoubleDoubleVector.between(this.centre, this.origin);
     }
 
     /** {@link SphereKernel#firstCrossing}, for the rays that it leaves open. */
@@ -37,10 +38,9 @@ final class CarefulSphere {
         Vector origin = new Vector(ox, oy, oz);
         Vector direction = new Vector(dx, dy, dz);
         Vector centre = new Vector(cx, cy, cz);
-        int length = Scaling.exponent(Math.max(Math.max(origin.largestPart(), centre.largestPart()), radius));
-        int step = Scaling.exponent(direction.largestPart());
-        CarefulSphere sphere = new CarefulSphere(Scaling.down(origin, length), Scaling.down(centre, length),
-            Scaling.down(radius, length));
+        int length = Scaling.exponent(radius, origin, centre);
+        int step = Scaling.exponent(0, direction);
+        CarefulSphere sphere = new CarefulSphere(origin, centre, radius, length);
         double crossing = sphere.firstCrossing(Scaling.down(direction, step), Scaling.down(originError, length));
         return Scaling.upPositive(crossing, length - step);
     }
@@ -84,10 +84,8 @@ final class CarefulSphere {
         Vector point = new Vector(px, py, pz);
         Vector end = new Vector(qx, qy, qz);
         Vector centre = new Vector(cx, cy, cz);
-        int length = Scaling.exponent(Math.max(Math.max(point.largestPart(), end.largestPart()),
-            Math.max(centre.largestPart(), radius)));
-        CarefulSphere sphere = new CarefulSphere(Scaling.down(point, length), Scaling.down(centre, length),
-            Scaling.down(radius, length));
+        int length = Scaling.exponent(radius, point, end, centre);
+        CarefulSphere sphere = new CarefulSphere(point, centre, radius, length);
         return sphere.crossesBefore(Scaling.down(end, length), Scaling.down(pointError, length),
             Scaling.down(endError, length));
     }
@@ -120,9 +118,8 @@ final class CarefulSphere {
 
     /** How a point lies to a sphere: 1 outside, 0 on it as far as the point is known, -1 inside. */
     static int side(Vector point, double pointError, Vector centre, double radius) {
-        int length = Scaling.exponent(Math.max(Math.max(point.largestPart(), centre.largestPart()), radius));
-        CarefulSphere sphere = new CarefulSphere(Scaling.down(point, length), Scaling.down(centre, length),
-            Scaling.down(radius, length));
+        int length = Scaling.exponent(radius, point, centre);
+        CarefulSphere sphere = new CarefulSphere(point, centre, radius, length);
         return sphere.power(sphere.f, sphere.origin, Scaling.down(pointError, length)).sign();
     }
 

@@ -26,13 +26,11 @@ public final class PointError {
     /**
      * The error of a point that a scene names, or that is computed from such a one with a few roundings.
      *
-     * @param x x part
-     * @param y y part
-     * @param z z part
+     * @param point the point
      * @return bound for each part, in scene units
      */
-    public static double written(double x, double y, double z) {
-        return WRITTEN * Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    public static double written(Vector point) {
+        return WRITTEN * point.largestPart();
     }
 
     /**

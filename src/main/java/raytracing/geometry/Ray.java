@@ -22,7 +22,7 @@ public record Ray(Vector origin, double originError, Vector direction, int surfa
      * @param direction where it goes, not zero
      */
     public Ray(Vector origin, Vector direction) {
-        this(origin, PointError.written(origin.x(), origin.y(), origin.z()), direction, NO_SURFACE,
+        this(origin, PointError.written(origin), direction, NO_SURFACE,
             Departure.ELSEWHERE);
     }
 }

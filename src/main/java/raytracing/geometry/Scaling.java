@@ -16,9 +16,13 @@ final class Scaling {
     private Scaling() {
     }
 
-    /** The exponent by which to scale a size {@link #down}; 0 for sizes that need no scaling. */
-    static int exponent(double size) {
-        int exponent = Math.getExponent(size);
+    /** The exponent by which to scale a size and points {@link #down}; 0 for those that need no scaling. */
+    static int exponent(double size, Vector... points) {
+        double largest = size;
+        for (Vector point : points) {
+            largest = Math.max(largest, point.largestPart());
+        }
+        int exponent = Math.getExponent(largest);
         return Math.abs(exponent) <= HARMLESS ? 0 : Math.max(-LARGEST, Math.min(LARGEST, exponent));
     }
 

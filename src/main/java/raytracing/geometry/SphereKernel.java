@@ -137,9 +137,9 @@ public final class SphereKernel {
             if (Math.abs(power) > COMPENSATED_POWER_ERROR * squares + onSphere
                     && discriminant > CLEAR_BESIDE * a * (r * r) && q * q > CLEAR_POWER * a * squares) {
                 if (b > 0) {
-                    return power > 0 ? power / (b + root) : (b + root) / a;
+                    return power > 0 ? power / q : q / a;
                 }
-                return power > 0 ? Surface.MISS : power / (b - root);
+                return power > 0 ? Surface.MISS : -power / q;
             }
         }
         return CarefulSphere.firstCrossing(ox, oy, oz, dx, dy, dz, originError, cx, cy, cz, r);

@@ -154,8 +154,6 @@ public final class Shader {
      * of both points along a unit normal, and that of the normal itself.
      */
     private static double heightError(Hit hit, Light light, double distance) {
-        Vector position = light.position();
-        return 2 * (hit.pointError() + PointError.written(position.x(), position.y(), position.z()))
-            + NORMAL_ERROR * distance;
+        return 2 * (hit.pointError() + PointError.written(light.position())) + NORMAL_ERROR * distance;
     }
 }

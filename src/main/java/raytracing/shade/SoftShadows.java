@@ -41,7 +41,7 @@ final class SoftShadows {
 
     private double meanTransmittance(Hit hit, Light light, long key) {
         Vector middle = light.position();
-        double error = PointError.written(middle.x(), middle.y(), middle.z());
+        double error = PointError.written(middle);
         if (root == 1 || light.width() == 0) {
             return scene.transmittance(hit, middle.x(), middle.y(), middle.z(), error);
         }
