@@ -3,7 +3,6 @@ package raytracing.compiled;
 import java.util.List;
 import raytracing.geometry.Box;
 import raytracing.geometry.BoxKernel;
-import raytracing.geometry.Ray;
 
 /** All boxes of a scene, flat. Entry i of every array belongs to the same box. */
 final class BoxArray {
@@ -13,53 +12,69 @@ final class BoxArray {
     private final double[] half;
     private final int[] number;
 
-    BoxArray(List<Box> boxes, List<Integer> numbers) {
-        x = boxes.stream().mapToDouble(box -> box.centre().x()).toArray();
-        y = boxes.stream().mapToDouble(box -> box.centre().y()).toArray();
-        z = boxes.stream().mapToDouble(box -> box.centre().z()).toArray();
-        half = boxes.stream().mapToDouble(box -> box.edge() / 2).toArray();
-        number = numbers.stream().mapToInt(Integer::intValue).toArray();
+    BoxArray(List<Box> boxes, int[] numbers) {
+        int count = boxes.size();
+        x = new double[count];
+        y = new double[count];
+        z = new double[count];
+        half = new double[count];
+        number = numbers;
+        for (int i = 0; i < count; i++) {
+            Box box = boxes.get(i);
+            x[i] = box.centre().x();
+            y[i] = box.centre().y();
+            z[i] = box.centre().z();
+            half[i] = box.edge() / 2;
+        }
     }
 
-    /** Offers the first crossing of a ray with every box but the one it leaves. */
-    void offerCrossings(Ray ray, Nearest nearest) {
-        double ox = ray.origin().x();
-        double oy = ray.origin().y();
-        double oz = ray.origin().z();
-        double dx = ray.direction().x();
-        double dy = ray.direction().y();
-        double dz = ray.direction().z();
-        double originError = ray.originError();
-        int left = ray.surfaceLeft();
-        for (int i = 0; i < number.length; i++) {
-            if (number[i] != left && !BoxKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, nearest.distance(), originError,
-                    x[i], y[i], z[i], half[i])) {
-                nearest.offer(BoxKernel.firstCrossing(ox, oy, oz, dx, dy, dz, originError, x[i], y[i], z[i], half[i]),
-                    number[i]);
+    int count() {
+        return number.length;
+    }
+
+    /** Offers the first crossing of a ray with every box from one entry up to another, but for the one it leaves. */
+    void offerCrossings(RayWalk ray, int from, int to, Nearest nearest) {
+        for (int i = from; i < to; i++) {
+            if (number[i] != ray.surfaceLeft && !BoxKernel.isPlainlyMissed(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz,
+                    nearest.distance(), ray.originError, x[i], y[i], z[i], half[i])) {
+                nearest.offer(BoxKernel.firstCrossing(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.originError,
+                    x[i], y[i], z[i], half[i]), number[i]);
             }
         }
     }
 
-    /**
-     * What the boxes let through of light between the points p and q, but for the surface left at p. The
-     * array gives the transmittance of every surface of the scene by its number.
-     */
-    double transmittance(double px, double py, double pz, double pointError,
-                         double qx, double qy, double qz, double endError,
-                         int surfaceLeft, double[] transmittanceOf) {
-        double dx = qx - px;
-        double dy = qy - py;
-        double dz = qz - pz;
-        double error = Math.max(pointError, endError);
-        double product = 1;
-        for (int i = 0; i < number.length && product > 0; i++) {
-            if (number[i] != surfaceLeft
-                    && !BoxKernel.isPlainlyMissed(px, py, pz, dx, dy, dz, 1, error, x[i], y[i], z[i], half[i])
-                    && BoxKernel.crossesBetween(px, py, pz, pointError, qx, qy, qz, endError,
-                    x[i], y[i], z[i], half[i])) {
-                product *= transmittanceOf[number[i]];
+    /** Adds those boxes from one entry up to another that a line crosses, but for the one it leaves. */
+    void addCrossed(ShadowLine line, int from, int to) {
+        double error = Math.max(line.pointError, line.endError);
+        for (int i = from; i < to && !line.crossed.isDark(); i++) {
+            if (number[i] != line.surfaceLeft
+                    && !BoxKernel.isPlainlyMissed(line.px, line.py, line.pz, line.dx, line.dy, line.dz, 1, error,
+                    x[i], y[i], z[i], half[i])
+                    && BoxKernel.crossesBetween(line.px, line.py, line.pz, line.pointError,
+                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], half[i])) {
+                line.crossed.add(number[i]);
             }
         }
-        return product;
+    }
+
+    /** Adds those boxes from one entry up to another that lines of a shaft may cross, but for the one they leave. */
+    void addTouched(ShadowShaft shaft, int from, int to) {
+        for (int i = from; i < to && !shaft.certain.isDark(); i++) {
+            if (number[i] != shaft.surfaceLeft) {
+                shaft.boxes.consider(shaft, number[i], i, x[i] - shaft.px, y[i] - shaft.py, z[i] - shaft.pz, half[i]);
+            }
+        }
+    }
+
+    /** Whether the line of a shaft to (endX, endY, endZ) crosses a box. */
+    boolean isCrossed(ShadowShaft shaft, int i) {
+        double qx = shaft.endX();
+        double qy = shaft.endY();
+        double qz = shaft.endZ();
+        double error = Math.max(shaft.pointError, shaft.endError);
+        return !BoxKernel.isPlainlyMissed(shaft.px, shaft.py, shaft.pz, qx - shaft.px, qy - shaft.py, qz - shaft.pz,
+            1, error, x[i], y[i], z[i], half[i])
+            && BoxKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError, qx, qy, qz, shaft.endError,
+            x[i], y[i], z[i], half[i]);
     }
 }

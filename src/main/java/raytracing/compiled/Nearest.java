@@ -6,17 +6,25 @@ import raytracing.geometry.Surface;
 /**
  * The nearest crossing found so far by one query, among those that come after a given one. Crossings are ordered by
  * distance, and at equal distances by the number of the surface: so coincident surfaces have an order too, the one
- * of the scene, and a walk from each crossing to the next meets every surface once.
+ * of the scene, and a walk from each crossing to the next meets every surface once. One thread, query after query.
  */
 final class Nearest {
-    private final double afterDistance;
-    private final int afterSurface;
-    private double distance = Surface.MISS;
-    private int surface = Ray.NO_SURFACE;
+    private double afterDistance;
+    private int afterSurface;
+    private double distance;
+    private int surface;
 
-    Nearest(double afterDistance, int afterSurface) {
-        this.afterDistance = afterDistance;
-        this.afterSurface = afterSurface;
+    /** Begins a query for the first crossing of all. */
+    void restart() {
+        restartAfter(0, Integer.MAX_VALUE);
+    }
+
+    /** Begins a query for the first crossing after another. */
+    void restartAfter(double crossing, int number) {
+        afterDistance = crossing;
+        afterSurface = number;
+        distance = Surface.MISS;
+        surface = Ray.NO_SURFACE;
     }
 
     /** Takes note of a crossing. A miss never comes before anything, so it changes nothing. */

@@ -1,6 +1,7 @@
 package raytracing.compiled;
 
-import java.util.Optional;
+import raytracing.geometry.Departure;
+import raytracing.geometry.PointError;
 import raytracing.geometry.Ray;
 import raytracing.math.Basis;
 import raytracing.math.Vector;
@@ -45,41 +46,47 @@ public final class PixelRays {
     }
 
     /**
-     * The ray through a place of the picture.
+     * Starts a walk along the ray through a place of the picture, of unit direction.
      *
      * @param x picture coordinate
      * @param y picture coordinate
-     * @return a ray of unit direction, or none where the lens shows black: no light arrives there, or only from
-     *         behind the camera
+     * @param walk takes the ray
+     * @return false where the lens shows black: no light arrives there, or only from behind the camera
      */
-    public Optional<Ray> through(double x, double y) {
+    public boolean start(double x, double y, RayWalk walk) {
         double right = (x / width - 0.5) * screenWidth;
         double up = (0.5 - y / height) * screenHeight;
         if (camera.lens() instanceof Fisheye fisheye && fisheye.k() != 1) {
-            return throughFisheye(fisheye, right, up);
+            return startThroughFisheye(fisheye, right, up, walk);
         }
-        return Optional.of(towards(screenDistance, right, up));
+        startTowards(screenDistance, right, up, walk);
+        return true;
     }
 
     /** Sine and cosine of the angle, never its tangent: nothing grows without bound near a right angle. */
-    private Optional<Ray> throughFisheye(Fisheye fisheye, double right, double up) {
-        double radius = new Vector(right, up, 0).length();
+    private boolean startThroughFisheye(Fisheye fisheye, double right, double up, RayWalk walk) {
+        double radius = Vector.length(right, up, 0);
         if (radius == 0) {
-            return Optional.of(towards(1, 0, 0));
+            startTowards(1, 0, 0, walk);
+            return true;
         }
         double angle = fisheye.incidentAngle(radius / screenDistance);
         if (!(angle < Math.PI / 2)) {        // this way round, NaN is black
-            return Optional.empty();
+            return false;
         }
         double sideways = StrictMath.sin(angle) / radius;
-        return Optional.of(towards(StrictMath.cos(angle), sideways * right, sideways * up));
+        startTowards(StrictMath.cos(angle), sideways * right, sideways * up, walk);
+        return true;
     }
 
-    private Ray towards(double forward, double right, double up) {
-        Vector direction = new Vector(
-            forward * forwardAxis.x() + right * rightAxis.x() + up * upAxis.x(),
-            forward * forwardAxis.y() + right * rightAxis.y() + up * upAxis.y(),
-            forward * forwardAxis.z() + right * rightAxis.z() + up * upAxis.z());
-        return new Ray(camera.position(), direction.unit());
+    private void startTowards(double forward, double right, double up, RayWalk walk) {
+        double x = forward * forwardAxis.x() + right * rightAxis.x() + up * upAxis.x();
+        double y = forward * forwardAxis.y() + right * rightAxis.y() + up * upAxis.y();
+        double z = forward * forwardAxis.z() + right * rightAxis.z() + up * upAxis.z();
+        double scale = Vector.safeScale(x, y, z);
+        double factor = Vector.unitFactor(scale * x, scale * y, scale * z);
+        Vector eye = camera.position();
+        walk.start(eye.x(), eye.y(), eye.z(), PointError.written(eye),
+            scale * x * factor, scale * y * factor, scale * z * factor, Ray.NO_SURFACE, Departure.ELSEWHERE);
     }
 }

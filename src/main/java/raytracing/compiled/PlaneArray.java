@@ -3,8 +3,6 @@ package raytracing.compiled;
 import java.util.List;
 import raytracing.geometry.Plane;
 import raytracing.geometry.PlaneKernel;
-import raytracing.geometry.Ray;
-import raytracing.math.AxisOrder;
 
 /** All planes of a scene, flat. Entry i of every array belongs to the same plane. */
 final class PlaneArray {
@@ -14,47 +12,67 @@ final class PlaneArray {
     private final double[] offset;
     private final int[] number;
 
-    PlaneArray(List<Plane> planes, List<Integer> numbers) {
-        x = planes.stream().mapToDouble(plane -> plane.normal().x()).toArray();
-        y = planes.stream().mapToDouble(plane -> plane.normal().y()).toArray();
-        z = planes.stream().mapToDouble(plane -> plane.normal().z()).toArray();
-        offset = planes.stream().mapToDouble(Plane::offset).toArray();
-        number = numbers.stream().mapToInt(Integer::intValue).toArray();
+    PlaneArray(List<Plane> planes, int[] numbers) {
+        int count = planes.size();
+        x = new double[count];
+        y = new double[count];
+        z = new double[count];
+        offset = new double[count];
+        number = numbers;
+        for (int i = 0; i < count; i++) {
+            Plane plane = planes.get(i);
+            x[i] = plane.normal().x();
+            y[i] = plane.normal().y();
+            z[i] = plane.normal().z();
+            offset[i] = plane.offset();
+        }
     }
 
-    /**
-     * Offers the first crossing of a ray with every plane but the one it leaves. Its origin o and direction d are given in
-     * the order of axes that is the ray's.
-     */
-    void offerCrossings(Ray ray, AxisOrder order, double ou, double ov, double ow, double du, double dv, double dw,
-                        Nearest nearest) {
-        double[] u = order.first(x, y, z);
-        double[] v = order.first(y, z, x);
-        double[] w = order.first(z, x, y);
-        double originError = ray.originError();
-        int left = ray.surfaceLeft();
+    /** Offers the crossing of a ray with every plane but the one it leaves. */
+    void offerCrossings(RayWalk ray, Nearest nearest) {
+        double[] u = ray.order.first(x, y, z);
+        double[] v = ray.order.first(y, z, x);
+        double[] w = ray.order.first(z, x, y);
         for (int i = 0; i < number.length; i++) {
-            if (number[i] != left) {
-                nearest.offer(PlaneKernel.firstCrossing(ou, ov, ow, du, dv, dw, originError,
+            if (number[i] != ray.surfaceLeft) {
+                nearest.offer(PlaneKernel.firstCrossing(ray.ou, ray.ov, ray.ow, ray.du, ray.dv, ray.dw, ray.originError,
                     u[i], v[i], w[i], offset[i]), number[i]);
             }
         }
     }
 
-    /**
-     * What the planes let through of light between the points p and q, but for the surface left at p. The
-     * array gives the transmittance of every surface of the scene by its number.
-     */
-    double transmittance(double px, double py, double pz, double pointError,
-                         double qx, double qy, double qz, double endError,
-                         int surfaceLeft, double[] transmittanceOf) {
-        double product = 1;
-        for (int i = 0; i < number.length && product > 0; i++) {
-            if (number[i] != surfaceLeft && PlaneKernel.crossesBetween(px, py, pz, pointError, qx, qy, qz, endError,
-                    x[i], y[i], z[i], offset[i])) {
-                product *= transmittanceOf[number[i]];
+    /** Adds the planes that a line crosses, but for the one it leaves. */
+    void addCrossed(ShadowLine line) {
+        for (int i = 0; i < number.length && !line.crossed.isDark(); i++) {
+            if (number[i] != line.surfaceLeft && PlaneKernel.crossesBetween(line.px, line.py, line.pz, line.pointError,
+                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], offset[i])) {
+                line.crossed.add(number[i]);
             }
         }
-        return product;
+    }
+
+    /**
+     * Adds the planes that lines of a shaft may cross, but for the one they leave. The gap between plane and light square
+     * is linear in the square's coordinates, so its least and its greatest value are at corners.
+     */
+    void addTouched(ShadowShaft shaft) {
+        for (int i = 0; i < number.length && !shaft.certain.isDark(); i++) {
+            if (number[i] != shaft.surfaceLeft) {
+                double gap = offset[i] - (x[i] * shaft.px + y[i] * shaft.py + z[i] * shaft.pz);
+                double middleGap = offset[i] - (x[i] * shaft.lx + y[i] * shaft.ly + z[i] * shaft.lz);
+                double alongU = x[i] * shaft.ux + y[i] * shaft.uy + z[i] * shaft.uz;
+                double alongV = x[i] * shaft.vx + y[i] * shaft.vy + z[i] * shaft.vz;
+                double size = Math.abs(x[i]) + Math.abs(y[i]) + Math.abs(z[i]);
+                double doubt = size * (shaft.margin + ShadowShaft.ROUNDING * shaft.reach)
+                    + ShadowShaft.ROUNDING * Math.abs(offset[i]);
+                shaft.planes.consider(shaft, number[i], i, gap, middleGap, alongU, alongV, doubt);
+            }
+        }
+    }
+
+    /** Whether the line of a shaft to (endX, endY, endZ) crosses a plane. */
+    boolean isCrossed(ShadowShaft shaft, int i) {
+        return PlaneKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError,
+            shaft.endX(), shaft.endY(), shaft.endZ(), shaft.endError, x[i], y[i], z[i], offset[i]);
     }
 }

@@ -53,13 +53,15 @@ public final class Film {
      *
      * @param x column, in [0, width)
      * @param y row, in [0, height), from the top
-     * @param color linear light
+     * @param red linear light, at least 0
+     * @param green linear light
+     * @param blue linear light
      */
-    public void set(int x, int y, Color color) {
+    public void set(int x, int y, double red, double green, double blue) {
         int i = CHANNELS * (y * width + x);
-        light[i] = color.red();
-        light[i + 1] = color.green();
-        light[i + 2] = color.blue();
+        light[i] = red;
+        light[i + 1] = green;
+        light[i + 2] = blue;
     }
 
     /**

@@ -10,6 +10,13 @@ import raytracing.math.Vector;
  * @param material number of its material, from 0
  */
 public record Box(Vector centre, double edge, int material) implements Surface {
+    private static final int X_ENTRY = 0;
+    private static final int Y_ENTRY = 1;
+    private static final int Z_ENTRY = 2;
+    private static final int X_EXIT = 3;
+    private static final int Y_EXIT = 4;
+    private static final int Z_EXIT = 5;
+
     @Override
     public double firstCrossing(Ray ray, Departure departure) {
         Vector o = ray.origin();
@@ -17,10 +24,14 @@ public record Box(Vector centre, double edge, int material) implements Surface {
         return switch (departure) {
             case ELSEWHERE -> BoxKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
                 centre.x(), centre.y(), centre.z(), edge / 2);
-            case INWARD -> BoxKernel.acrossFromInnerWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(),
-                centre.x(), centre.y(), centre.z(), edge / 2);
+            case INWARD -> farWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
             case OUTWARD -> MISS;
         };
+    }
+
+    @Override
+    public double farWall(double ox, double oy, double oz, double dx, double dy, double dz) {
+        return BoxKernel.acrossFromInnerWall(ox, oy, oz, dx, dy, dz, centre.x(), centre.y(), centre.z(), edge / 2);
     }
 
     @Override
@@ -30,54 +41,52 @@ public record Box(Vector centre, double edge, int material) implements Surface {
         return switch (departure) {
             case ELSEWHERE -> BoxKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
                 q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), edge / 2);
-            case INWARD -> BoxKernel.isOutside(q.x(), q.y(), q.z(), segment.endError(),
-                centre.x(), centre.y(), centre.z(), edge / 2);
+            case INWARD -> isLeftBefore(q.x(), q.y(), q.z(), segment.endError());
             case OUTWARD -> false;
         };
     }
 
-    /**
-     * The axis of the face that the ray passes at that distance. On an edge it is a face through which the ray comes in, if
-     * there is one, and the first of x, y, z.
-     */
     @Override
-    public Vector outwardNormal(Ray ray, double distance) {
-        Vector o = ray.origin();
-        Vector d = ray.direction();
+    public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
+        return BoxKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), edge / 2);
+    }
+
+    /** The point is on the face to the last bit, and within its edges. */
+    @Override
+    public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+                         HitPoint found) {
+        int face = face(ox, oy, oz, dx, dy, dz, distance);
+        double nx = face == X_ENTRY ? -Math.copySign(1, dx) : face == X_EXIT ? Math.copySign(1, dx) : 0;
+        double ny = face == Y_ENTRY ? -Math.copySign(1, dy) : face == Y_EXIT ? Math.copySign(1, dy) : 0;
+        double nz = face == Z_ENTRY ? -Math.copySign(1, dz) : face == Z_EXIT ? Math.copySign(1, dz) : 0;
+        double error = PointError.ofCrossing(Vector.largestPart(ox, oy, oz) + distance * Vector.largestPart(dx, dy, dz));
+        found.place(onFace(ox + distance * dx, centre.x(), nx), onFace(oy + distance * dy, centre.y(), ny),
+            onFace(oz + distance * dz, centre.z(), nz), error);
+        found.turn(nx, ny, nz, dx, dy, dz);
+    }
+
+    /**
+     * The face that the ray passes at that distance. On an edge it is a face through which the ray comes in, if there
+     * is one, and the first of x, y, z.
+     */
+    private int face(double ox, double oy, double oz, double dx, double dy, double dz, double distance) {
         double half = edge / 2;
-        double enterX = off(o.x(), d.x(), centre.x(), -half, distance);
-        double enterY = off(o.y(), d.y(), centre.y(), -half, distance);
-        double enterZ = off(o.z(), d.z(), centre.z(), -half, distance);
-        double leaveX = off(o.x(), d.x(), centre.x(), half, distance);
-        double leaveY = off(o.y(), d.y(), centre.y(), half, distance);
-        double leaveZ = off(o.z(), d.z(), centre.z(), half, distance);
+        double enterX = off(ox, dx, centre.x(), -half, distance);
+        double enterY = off(oy, dy, centre.y(), -half, distance);
+        double enterZ = off(oz, dz, centre.z(), -half, distance);
+        double leaveX = off(ox, dx, centre.x(), half, distance);
+        double leaveY = off(oy, dy, centre.y(), half, distance);
+        double leaveZ = off(oz, dz, centre.z(), half, distance);
         double leave = Math.min(leaveX, Math.min(leaveY, leaveZ));
-        return Math.min(enterX, Math.min(enterY, enterZ)) <= leave
-            ? axis(d.negated(), enterX, enterY, enterZ)
-            : axis(d, leaveX, leaveY, leaveZ);
+        if (Math.min(enterX, Math.min(enterY, enterZ)) <= leave) {
+            return enterX <= enterY && enterX <= enterZ ? X_ENTRY : enterY <= enterZ ? Y_ENTRY : Z_ENTRY;
+        }
+        return leaveX <= leaveY && leaveX <= leaveZ ? X_EXIT : leaveY <= leaveZ ? Y_EXIT : Z_EXIT;
     }
 
     /** How far from this distance the ray passes a face's plane: 0 for the face that it meets there. */
     private static double off(double o, double d, double c, double towards, double distance) {
         return d == 0 ? MISS : Math.abs(BoxKernel.crossing(o, d, c, towards) - distance);
-    }
-
-    /** The axis with the least number, in a vector's sense along it. */
-    private static Vector axis(Vector sense, double x, double y, double z) {
-        if (x <= y && x <= z) {
-            return new Vector(Math.copySign(1, sense.x()), 0, 0);
-        }
-        return y <= z ? new Vector(0, Math.copySign(1, sense.y()), 0) : new Vector(0, 0, Math.copySign(1, sense.z()));
-    }
-
-    /** On the face to the last bit, and within its edges. */
-    @Override
-    public Vector point(Ray ray, double distance, Vector outwardNormal) {
-        Vector along = ray.origin().plus(distance, ray.direction());
-        return new Vector(
-            onFace(along.x(), centre.x(), outwardNormal.x()),
-            onFace(along.y(), centre.y(), outwardNormal.y()),
-            onFace(along.z(), centre.z(), outwardNormal.z()));
     }
 
     private double onFace(double along, double c, double normal) {

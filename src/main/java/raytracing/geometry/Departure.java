@@ -13,5 +13,17 @@ public enum Departure {
     OUTWARD,
 
     /** On the surface, leaving into the body: only the far wall is ahead. */
-    INWARD
+    INWARD;
+
+    /**
+     * How a straight line leaves a surface from a hit, by its direction alone.
+     *
+     * @param seenFrom the side from which the hit was seen
+     * @param alongNormal component of the line's direction along the hit's normal, which points to that side
+     * @return into the body, or out of it or along its wall
+     */
+    static Departure towards(Departure seenFrom, double alongNormal) {
+        boolean toTheSeenSide = alongNormal >= 0;
+        return toTheSeenSide == (seenFrom == OUTWARD) ? OUTWARD : INWARD;
+    }
 }

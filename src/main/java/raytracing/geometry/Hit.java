@@ -25,9 +25,7 @@ public record Hit(int surface, int material, double distance, Vector point, doub
      * @return into the body, or out of it or along its wall
      */
     public Departure departureTowards(double dx, double dy, double dz) {
-        boolean toTheSeenSide = normal.x() * dx + normal.y() * dy + normal.z() * dz >= 0;
-        boolean seenFromOutside = side == Departure.OUTWARD;
-        return toTheSeenSide == seenFromOutside ? Departure.OUTWARD : Departure.INWARD;
+        return Departure.towards(side, normal.x() * dx + normal.y() * dy + normal.z() * dz);
     }
 
     /**

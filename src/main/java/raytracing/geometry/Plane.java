@@ -37,16 +37,32 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
     }
 
     @Override
-    public Vector outwardNormal(Ray ray, double distance) {
-        return normal.unit();
+    public double farWall(double ox, double oy, double oz, double dx, double dy, double dz) {
+        return MISS;
+    }
+
+    @Override
+    public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
+        return false;
     }
 
     /** The point along the ray, dropped onto the plane: from far away, rounding leaves it beside. */
     @Override
-    public Vector point(Ray ray, double distance, Vector outwardNormal) {
-        Vector beside = ray.origin().plus(distance, ray.direction());
-        double gap = (offset - normal.dot(beside)) / normal.length();
-        return Math.abs(gap) < MISS ? beside.plus(gap, outwardNormal) : beside;
+    public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+                         HitPoint found) {
+        double x = ox + distance * dx;
+        double y = oy + distance * dy;
+        double z = oz + distance * dz;
+        double scale = Vector.safeScale(normal.x(), normal.y(), normal.z());
+        double factor = Vector.unitFactor(scale * normal.x(), scale * normal.y(), scale * normal.z());
+        double nx = scale * normal.x() * factor;
+        double ny = scale * normal.y() * factor;
+        double nz = scale * normal.z() * factor;
+        double gap = (offset - (normal.x() * x + normal.y() * y + normal.z() * z)) / normal.length();
+        double drop = Math.abs(gap) < MISS ? gap : 0;
+        double error = PointError.ofCrossing(Vector.largestPart(ox, oy, oz) + distance * Vector.largestPart(dx, dy, dz));
+        found.place(x + drop * nx, y + drop * ny, z + drop * nz, error);
+        found.turn(nx, ny, nz, dx, dy, dz);
     }
 
     @Override

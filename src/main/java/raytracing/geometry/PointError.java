@@ -36,12 +36,10 @@ public final class PointError {
     /**
      * The error of a crossing's point.
      *
-     * @param origin of the ray
-     * @param direction of the ray
-     * @param distance of the crossing
+     * @param way how far the ray goes from the world's origin to the ray's, and on to the crossing, in largest parts
      * @return bound for each part, in scene units
      */
-    static double ofCrossing(Vector origin, Vector direction, double distance) {
-        return COMPUTED * (origin.largestPart() + distance * direction.largestPart());
+    static double ofCrossing(double way) {
+        return COMPUTED * way;
     }
 }

@@ -15,14 +15,15 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     public double firstCrossing(Ray ray, Departure departure) {
         return switch (departure) {
             case ELSEWHERE -> firstCrossing(ray);
-            case INWARD -> acrossFromInnerWall(ray.origin(), ray.direction());
+            case INWARD -> farWall(ray.origin().x(), ray.origin().y(), ray.origin().z(),
+                ray.direction().x(), ray.direction().y(), ray.direction().z());
             case OUTWARD -> MISS;
         };
     }
 
-    private double acrossFromInnerWall(Vector o, Vector d) {
-        return SphereKernel.acrossFromInnerWall(
-            o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), centre.x(), centre.y(), centre.z());
+    @Override
+    public double farWall(double ox, double oy, double oz, double dx, double dy, double dz) {
+        return SphereKernel.acrossFromInnerWall(ox, oy, oz, dx, dy, dz, centre.x(), centre.y(), centre.z());
     }
 
     private double firstCrossing(Ray ray) {
@@ -41,30 +42,46 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
         return switch (departure) {
             case ELSEWHERE -> SphereKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
                 q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), radius);
-            case INWARD -> SphereKernel.isOutside(q.x(), q.y(), q.z(), segment.endError(),
-                centre.x(), centre.y(), centre.z(), radius);
+            case INWARD -> isLeftBefore(q.x(), q.y(), q.z(), segment.endError());
             case OUTWARD -> false;
         };
     }
 
-    /**
-     * Taken from (origin - centre) + t direction, which keeps its digits when both lie far from the world's origin. Of
-     * a ball so small and far that nothing is left of this sum, the point nearest to the ray's origin is seen.
-     */
     @Override
-    public Vector outwardNormal(Ray ray, double distance) {
-        Vector fromCentre = ray.origin().minus(centre).plus(distance, ray.direction());
-        return fromCentre.isZero() ? ray.direction().negated().unit() : fromCentre.unit();
+    public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
+        return SphereKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), radius);
     }
 
-    /** Reached from the ray's origin, or from the centre, whichever is nearer to the world's origin: so less is rounded. */
+    /**
+     * The normal is taken from (origin - centre) + t direction, which keeps its digits when both lie far from the world's
+     * origin. Of a ball so small and far that nothing is left of this sum, the point nearest to the ray's origin is
+     * seen. The point is reached from the ray's origin or from the centre, whichever is nearer to the world's origin: so
+     * less is rounded.
+     */
     @Override
-    public Vector point(Ray ray, double distance, Vector outwardNormal) {
+    public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+                         HitPoint found) {
+        double fx = ox - centre.x() + distance * dx;
+        double fy = oy - centre.y() + distance * dy;
+        double fz = oz - centre.z() + distance * dz;
+        boolean isNearest = fx == 0 && fy == 0 && fz == 0;
+        double gx = isNearest ? -dx : fx;
+        double gy = isNearest ? -dy : fy;
+        double gz = isNearest ? -dz : fz;
+        double scale = Vector.safeScale(gx, gy, gz);
+        double factor = Vector.unitFactor(scale * gx, scale * gy, scale * gz);
+        double nx = scale * gx * factor;
+        double ny = scale * gy * factor;
+        double nz = scale * gz * factor;
         double fromCentre = centre.largestPart() + radius;
-        double alongRay = ray.origin().largestPart() + distance * ray.direction().largestPart();
-        return fromCentre < alongRay
-            ? centre.plus(radius, outwardNormal)
-            : ray.origin().plus(distance, ray.direction());
+        double alongRay = Vector.largestPart(ox, oy, oz) + distance * Vector.largestPart(dx, dy, dz);
+        double error = PointError.ofCrossing(alongRay);
+        if (fromCentre < alongRay) {
+            found.place(centre.x() + radius * nx, centre.y() + radius * ny, centre.z() + radius * nz, error);
+        } else {
+            found.place(ox + distance * dx, oy + distance * dy, oz + distance * dz, error);
+        }
+        found.turn(nx, ny, nz, dx, dy, dz);
     }
 
     @Override

@@ -36,23 +36,43 @@ public sealed interface Surface permits Sphere, Plane, Box {
     boolean crosses(Segment segment, Departure departure);
 
     /**
-     * The normal where a ray meets this surface.
+     * Where a ray meets this surface that starts on it and goes inwards.
      *
-     * @param ray the ray
-     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
-     * @return unit normal, out of the body; of a plane, to the side its scene line names
+     * @param ox origin, x part
+     * @param oy y part
+     * @param oz z part
+     * @param dx direction, x part; not all three 0
+     * @param dy y part
+     * @param dz z part
+     * @return crossing of the far wall, above 0, or {@link #MISS}; a plane has none
      */
-    Vector outwardNormal(Ray ray, double distance);
+    double farWall(double ox, double oy, double oz, double dx, double dy, double dz);
 
     /**
-     * The point where a ray meets this surface, at origin + distance direction or nearer to the surface than that.
+     * Whether a straight line that starts on this surface and goes inwards leaves the body before it ends.
      *
-     * @param ray the ray
-     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
-     * @param outwardNormal what {@link #outwardNormal} returned for it
-     * @return the point, rounded
+     * @param qx the line's end, x part
+     * @param qy y part
+     * @param qz z part
+     * @param endError how far each part of it may be off; within that of the surface, it lies on it
+     * @return true if the end is strictly outside; of a plane, which has no inside, never
      */
-    Vector point(Ray ray, double distance, Vector outwardNormal);
+    boolean isLeftBefore(double qx, double qy, double qz, double endError);
+
+    /**
+     * Everything about a crossing that shading wants to know. The point is at origin + distance direction or nearer to the
+     * surface than that.
+     *
+     * @param ox the ray's origin, x part
+     * @param oy y part
+     * @param oz z part
+     * @param dx its direction, x part
+     * @param dy y part
+     * @param dz z part
+     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
+     * @param found takes the point, its error, the normal towards the ray's origin, and the side
+     */
+    void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance, HitPoint found);
 
     /**
      * Presents this surface to a receiver that has one method for every kind.
@@ -86,7 +106,7 @@ public sealed interface Surface permits Sphere, Plane, Box {
     }
 
     /**
-     * Everything about a crossing that shading wants to know.
+     * A crossing as a value.
      *
      * @param ray the ray
      * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
@@ -94,12 +114,10 @@ public sealed interface Surface permits Sphere, Plane, Box {
      * @return point, normal towards the ray's origin, and the side
      */
     default Hit hit(Ray ray, double distance, int number) {
-        Vector outward = outwardNormal(ray, distance);
-        Vector point = point(ray, distance, outward);
-        double pointError = PointError.ofCrossing(ray.origin(), ray.direction(), distance);
-        boolean fromInside = outward.dot(ray.direction()) > 0;
-        return fromInside
-            ? new Hit(number, material(), distance, point, pointError, outward.negated(), Departure.INWARD)
-            : new Hit(number, material(), distance, point, pointError, outward, Departure.OUTWARD);
+        Vector o = ray.origin();
+        Vector d = ray.direction();
+        HitPoint found = new HitPoint();
+        describe(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance, found);
+        return found.toHit(number, material(), distance);
     }
 }

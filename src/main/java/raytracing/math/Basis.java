@@ -1,36 +1,28 @@
 package raytracing.math;
 
 /**
- * Three unit vectors u, v, w, perpendicular to one another; u cross v is w. Immutable. Kept as nine numbers: objects
- * inside an object are what a virtual machine fails to keep off the heap, and shading makes a basis for every light.
+ * Three unit vectors u, v, w, perpendicular to one another; u cross v is w. Turned again and again, for shading needs one for
+ * every light at every point: so it makes no garbage. One thread.
  */
 public final class Basis {
     /**
-     * Below this squared sine of the angle to -y, {@link #around} counts a direction as -y itself. No picture can show
+     * Below this squared sine of the angle to -y, {@link #turnTo} counts a direction as -y itself. No picture can show
      * the difference, and the squares in the formula would lose their digits further down.
      */
     private static final double STRAIGHT_DOWN = 0x1p-900;
 
-    private final double ux;
-    private final double uy;
-    private final double uz;
-    private final double vx;
-    private final double vy;
-    private final double vz;
-    private final double wx;
-    private final double wy;
-    private final double wz;
+    private double ux;
+    private double uy;
+    private double uz;
+    private double vx;
+    private double vy;
+    private double vz;
+    private double wx;
+    private double wy;
+    private double wz;
 
-    private Basis(double ux, double uy, double uz, double vx, double vy, double vz, double wx, double wy, double wz) {
-        this.ux = ux;
-        this.uy = uy;
-        this.uz = uz;
-        this.vx = vx;
-        this.vy = vy;
-        this.vz = vz;
-        this.wx = wx;
-        this.wy = wy;
-        this.wz = wz;
+    /** Not turned yet: all zero. */
+    public Basis() {
     }
 
     /**
@@ -44,36 +36,71 @@ public final class Basis {
     public static Basis looking(Vector forward, Vector up) {
         Vector right = up.cross(forward).unit();
         Vector trueUp = forward.cross(right);
-        return new Basis(right.x(), right.y(), right.z(), trueUp.x(), trueUp.y(), trueUp.z(),
+        Basis basis = new Basis();
+        basis.set(right.x(), right.y(), right.z(), trueUp.x(), trueUp.y(), trueUp.z(),
             forward.x(), forward.y(), forward.z());
+        return basis;
     }
 
     /**
-     * Axes of the plane perpendicular to a direction: the shortest rotation that takes +y to {@code n}, applied to
-     * z and x. The result turns smoothly with {@code n} everywhere except at -y, where no such rule can be smooth.
+     * Axes of the plane perpendicular to a direction.
+     *
+     * @param direction that w takes; any length but 0
+     * @return what {@link #turnTo} makes
+     * @throws ArithmeticException if the direction is zero or not finite
+     */
+    public static Basis around(Vector direction) {
+        Basis basis = new Basis();
+        basis.turnTo(direction.x(), direction.y(), direction.z());
+        return basis;
+    }
+
+    /**
+     * Axes of the plane perpendicular to a direction n: the shortest rotation that takes +y to n, applied to z and x. The
+     * result turns smoothly with n everywhere except at -y, where no such rule can be smooth.
      *
      * <p>With a = 1 / (1 + n.y) the rotated x is (1 - n.x n.x a, -n.x, -n.x n.z a), and so on. For n.y below 0 the
-     * sum 1 + n.y cancels, so a comes from (1 + n.y)(1 - n.y) = n.x n.x + n.z n.z.
+     * sum 1 + n.y cancels, so a comes from (1 + n.y)(1 - n.y) = n.x n.x + n.z n.z. The axes are perpendicular and unit to
+     * within 8 ulp of 1 (measured in {@code BasisTest}).
      *
-     * @param n unit vector
-     * @return a basis with w = n; perpendicular and unit to within 8 ulp of 1 (measured in {@code BasisTest})
+     * @param x direction that w takes, x part; any length but 0
+     * @param y y part
+     * @param z z part
+     * @throws ArithmeticException if the direction is zero or not finite
      */
-    public static Basis around(Vector n) {
-        double squaredSine = n.x() * n.x() + n.z() * n.z();
+    public void turnTo(double x, double y, double z) {
+        double scale = Vector.safeScale(x, y, z);
+        double factor = Vector.unitFactor(scale * x, scale * y, scale * z);
+        double nx = scale * x * factor;
+        double ny = scale * y * factor;
+        double nz = scale * z * factor;
+        double squaredSine = nx * nx + nz * nz;
         double xx;
         double xz;
         double zz;
-        if (n.y() < 0 && squaredSine < STRAIGHT_DOWN) {
+        if (ny < 0 && squaredSine < STRAIGHT_DOWN) {
             xx = 0;                          // the limit of the formula for n.x = 0, n.z to 0
             xz = 0;
             zz = 2;
         } else {
-            double a = n.y() >= 0 ? 1 / (1 + n.y()) : (1 - n.y()) / squaredSine;
-            xx = n.x() * n.x() * a;
-            xz = n.x() * n.z() * a;
-            zz = n.z() * n.z() * a;
+            double a = ny >= 0 ? 1 / (1 + ny) : (1 - ny) / squaredSine;
+            xx = nx * nx * a;
+            xz = nx * nz * a;
+            zz = nz * nz * a;
         }
-        return new Basis(-xz, -n.z(), 1 - zz, 1 - xx, -n.x(), -xz, n.x(), n.y(), n.z());
+        set(-xz, -nz, 1 - zz, 1 - xx, -nx, -xz, nx, ny, nz);
+    }
+
+    private void set(double ux, double uy, double uz, double vx, double vy, double vz, double wx, double wy, double wz) {
+        this.ux = ux;
+        this.uy = uy;
+        this.uz = uz;
+        this.vx = vx;
+        this.vy = vy;
+        this.vz = vz;
+        this.wx = wx;
+        this.wy = wy;
+        this.wz = wz;
     }
 
     /**
@@ -101,5 +128,86 @@ public final class Basis {
      */
     public Vector w() {
         return new Vector(wx, wy, wz);
+    }
+
+    /**
+     * First axis.
+     *
+     * @return its x part
+     */
+    public double ux() {
+        return ux;
+    }
+
+    /**
+     * First axis.
+     *
+     * @return its y part
+     */
+    public double uy() {
+        return uy;
+    }
+
+    /**
+     * First axis.
+     *
+     * @return its z part
+     */
+    public double uz() {
+        return uz;
+    }
+
+    /**
+     * Second axis.
+     *
+     * @return its x part
+     */
+    public double vx() {
+        return vx;
+    }
+
+    /**
+     * Second axis.
+     *
+     * @return its y part
+     */
+    public double vy() {
+        return vy;
+    }
+
+    /**
+     * Second axis.
+     *
+     * @return its z part
+     */
+    public double vz() {
+        return vz;
+    }
+
+    /**
+     * Third axis.
+     *
+     * @return its x part
+     */
+    public double wx() {
+        return wx;
+    }
+
+    /**
+     * Third axis.
+     *
+     * @return its y part
+     */
+    public double wy() {
+        return wy;
+    }
+
+    /**
+     * Third axis.
+     *
+     * @return its z part
+     */
+    public double wz() {
+        return wz;
     }
 }

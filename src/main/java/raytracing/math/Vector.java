@@ -85,6 +85,18 @@ public record Vector(double x, double y, double z) {
      * @return size of the part furthest from 0
      */
     public double largestPart() {
+        return largestPart(x, y, z);
+    }
+
+    /**
+     * The maximum norm of a vector given by its parts.
+     *
+     * @param x x part
+     * @param y y part
+     * @param z z part
+     * @return size of the part furthest from 0
+     */
+    public static double largestPart(double x, double y, double z) {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     }
 
@@ -115,8 +127,20 @@ public record Vector(double x, double y, double z) {
      *         halved by the root, and its own)
      */
     public double length() {
-        double scale = safeScale();
-        return Math.sqrt(squareOfScaled(scale)) / scale;
+        return length(x, y, z);
+    }
+
+    /**
+     * The Euclidean length of a vector given by its parts.
+     *
+     * @param x x part
+     * @param y y part
+     * @param z z part
+     * @return the length, as {@link #length()} gives it
+     */
+    public static double length(double x, double y, double z) {
+        double scale = safeScale(x, y, z);
+        return Math.sqrt(square(scale * x, scale * y, scale * z)) / scale;
     }
 
     /**
@@ -126,28 +150,45 @@ public record Vector(double x, double y, double z) {
      * @throws ArithmeticException if this vector is zero or not finite, as it then has no direction
      */
     public Vector unit() {
-        double scale = safeScale();
-        double square = squareOfScaled(scale);
-        if (!(square > 0 && square < Double.POSITIVE_INFINITY)) {
-            throw new ArithmeticException("no direction: " + this);
-        }
-        double factor = 1 / Math.sqrt(square);
+        double scale = safeScale(x, y, z);
+        double factor = unitFactor(scale * x, scale * y, scale * z);
         return new Vector(scale * x * factor, scale * y * factor, scale * z * factor);
     }
 
-    /** A power of two: multiplying by it brings the square of this vector into the range of normal numbers. */
-    private double safeScale() {
-        double square = dot(this);
+    /**
+     * A power of two: multiplying by it brings the square of a vector into the range of normal numbers.
+     *
+     * @param x x part
+     * @param y y part
+     * @param z z part
+     * @return 1 for all but very long and very short vectors
+     */
+    public static double safeScale(double x, double y, double z) {
+        double square = square(x, y, z);
         if (square < SMALL_SQUARE) {
             return SHIFT;
         }
         return square > LARGE_SQUARE ? 1 / SHIFT : 1;
     }
 
-    private double squareOfScaled(double scale) {
-        double sx = scale * x;
-        double sy = scale * y;
-        double sz = scale * z;
-        return sx * sx + sy * sy + sz * sz;
+    /**
+     * What makes a vector a unit vector.
+     *
+     * @param x x part, scaled by {@link #safeScale}
+     * @param y y part, likewise
+     * @param z z part, likewise
+     * @return one over the length
+     * @throws ArithmeticException if the vector is zero or not finite, as it then has no direction
+     */
+    public static double unitFactor(double x, double y, double z) {
+        double square = square(x, y, z);
+        if (!(square > 0 && square < Double.POSITIVE_INFINITY)) {
+            throw new ArithmeticException("no direction: " + x + ", " + y + ", " + z);
+        }
+        return 1 / Math.sqrt(square);
+    }
+
+    private static double square(double x, double y, double z) {
+        return x * x + y * y + z * z;
     }
 }

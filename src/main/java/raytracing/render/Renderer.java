@@ -7,9 +7,9 @@ import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
 import raytracing.compiled.PixelRays;
 import raytracing.film.Film;
-import raytracing.geometry.Ray;
 import raytracing.math.CounterRandom;
 import raytracing.scene.Scene;
+import raytracing.shade.LightSum;
 import raytracing.shade.Shader;
 
 /**
@@ -18,8 +18,9 @@ import raytracing.shade.Shader;
  */
 public final class Renderer {
     private final RenderSettings settings;
+    private final Scene scene;
     private final PixelRays pixelRays;
-    private final Shader shader;
+    private final CompiledScene compiled;
 
     /**
      * Makes a scene ready to be drawn.
@@ -28,9 +29,10 @@ public final class Renderer {
      * @param settings how
      */
     public Renderer(Scene scene, RenderSettings settings) {
+        this.scene = scene;
         this.settings = settings;
         pixelRays = new PixelRays(scene.camera(), settings.width(), settings.height());
-        shader = new Shader(scene, new CompiledScene(scene, settings.shadowMode()));
+        compiled = new CompiledScene(scene, settings.shadowMode());
     }
 
     /**
@@ -41,9 +43,12 @@ public final class Renderer {
      * @return linear light; black where the lens sees nothing
      */
     public Color pixel(int x, int y) {
+        return light(new Shader(scene, compiled), x, y).total();
+    }
+
+    private LightSum light(Shader shader, int x, int y) {
         long key = CounterRandom.bits(CounterRandom.bits(settings.seed(), x), y);
-        Optional<Ray> ray = pixelRays.through(x + 0.5, y + 0.5);
-        return ray.isPresent() ? shader.light(ray.get(), key) : Color.BLACK;
+        return shader.light(pixelRays, x + 0.5, y + 0.5, key);
     }
 
     /**
@@ -90,6 +95,7 @@ public final class Renderer {
     private final class Worker implements Runnable {
         private final Film film;
         private final TileQueue tiles;
+        private final Shader shader = new Shader(scene, compiled);
         private Optional<Throwable> failure = Optional.empty();
 
         Worker(Film film, TileQueue tiles) {
@@ -112,14 +118,15 @@ public final class Renderer {
         private void draw(Tile tile) {
             for (int y = tile.top(); y < tile.bottom(); y++) {
                 for (int x = tile.left(); x < tile.right(); x++) {
-                    film.set(x, y, named(x, y));
+                    LightSum light = named(x, y);
+                    film.set(x, y, light.red(), light.green(), light.blue());
                 }
             }
         }
 
-        private Color named(int x, int y) {
+        private LightSum named(int x, int y) {
             try {
-                return pixel(x, y);
+                return light(shader, x, y);
             } catch (RuntimeException defect) {
                 throw new IllegalStateException("pixel " + x + ", " + y + ": " + defect, defect);
             }

@@ -1,24 +1,12 @@
 package raytracing.shade;
 
 import raytracing.math.Powers;
-import raytracing.math.Vector;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
 
 /** Reflection of light at one point: Phong, Illumination for Computer Generated Pictures, CACM 18:6, 1975. */
 final class Phong {
     private Phong() {
-    }
-
-    /**
-     * The mirror image of a direction.
-     *
-     * @param incident unit vector
-     * @param normal unit vector
-     * @return the unit direction in which a mirror with that normal sends on what comes along {@code incident}
-     */
-    static Vector mirrored(Vector incident, Vector normal) {
-        return incident.plus(-2 * incident.dot(normal), normal).unit();
     }
 
     /**

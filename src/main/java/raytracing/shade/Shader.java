@@ -1,10 +1,11 @@
 package raytracing.shade;
 
 import java.util.List;
-import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
-import raytracing.geometry.Hit;
+import raytracing.compiled.PixelRays;
+import raytracing.compiled.RayWalk;
+import raytracing.geometry.HitPoint;
 import raytracing.geometry.PointError;
 import raytracing.geometry.Ray;
 import raytracing.math.CounterRandom;
@@ -12,10 +13,10 @@ import raytracing.math.Vector;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
-import raytracing.shade.Branches.Branch;
 
 /**
- * The light that a ray of the eye brings back. A pure function of scene, ray and random key; thread-safe.
+ * The light that a ray of the eye brings back: a function of scene, ray and random key, whatever was asked before. One
+ * thread; all that it needs is made once, so that rays make no garbage.
  *
  * <p>At each surface: colour = behind * transparency + (diffuse + specular) * (1 - transparency) + mirrored *
  * reflection. Written as a sum over all surfaces that contribute, each with the product of the factors on its way to
@@ -37,13 +38,21 @@ public final class Shader {
     /** Counter of the key for a surface's mirrored ray; its lights use the counters from 0 on. */
     private static final long MIRROR = -1;
 
-    private final CompiledScene compiled;
     private final List<Material> materials;
     private final List<Light> lights;
     private final Color background;
     private final int maxReflections;
-    private final SoftShadows shadows;
     private final double negligibleWeight;
+    private final RayWalk walk;
+    private final SoftShadows shadows;
+    private final Branches branches = new Branches();
+    private final LightSum pixel = new LightSum();
+    private final LightSum direct = new LightSum();
+    private final Weight weight = new Weight();
+    private final Weight mirrorWeight = new Weight();
+    private double mirroredX;
+    private double mirroredY;
+    private double mirroredZ;
 
     /**
      * Prepares the shading of a scene.
@@ -57,13 +66,30 @@ public final class Shader {
 
     /** With another weight below which light is not followed: 0 follows all of it. */
     Shader(Scene scene, CompiledScene compiled, double negligibleWeight) {
-        this.compiled = compiled;
         this.negligibleWeight = negligibleWeight;
         materials = scene.materials();
         lights = scene.lights();
         background = scene.settings().background();
         maxReflections = scene.settings().maxReflections();
+        walk = new RayWalk(compiled);
         shadows = new SoftShadows(compiled, scene.settings().shadowRayRoot());
+    }
+
+    /**
+     * What the eye sees at a place of the picture.
+     *
+     * @param rays of the picture
+     * @param x picture coordinate
+     * @param y picture coordinate
+     * @param key of all random numbers on the way; the same key gives the same light
+     * @return linear light, not clamped; overwritten by the next
+     */
+    public LightSum light(PixelRays rays, double x, double y, long key) {
+        pixel.clear();
+        if (rays.start(x, y, walk)) {
+            followAll(key);
+        }
+        return pixel;
     }
 
     /**
@@ -71,89 +97,116 @@ public final class Shader {
      *
      * @param ray from the eye, unit direction
      * @param key of all random numbers on the way; the same key gives the same light
-     * @return linear light, not clamped; each channel at least 0
+     * @return linear light, not clamped; overwritten by the next
      */
-    public Color light(Ray ray, long key) {
-        LightSum pixel = new LightSum();
-        Branches branches = new Branches();
-        follow(ray, Color.WHITE, 0, key, pixel, branches);
-        for (Optional<Branch> next = branches.next(); next.isPresent(); next = branches.next()) {
-            Branch branch = next.get();
-            follow(branch.ray(), branch.weight(), branch.reflections(), branch.key(), pixel, branches);
+    public LightSum light(Ray ray, long key) {
+        pixel.clear();
+        walk.start(ray);
+        followAll(key);
+        return pixel;
+    }
+
+    private void followAll(long key) {
+        branches.clear();
+        weight.set(1, 1, 1);
+        follow(0, key);
+        while (branches.next()) {
+            branches.start(walk);
+            branches.weigh(weight);
+            follow(branches.reflections(), branches.key());
         }
-        for (Optional<Branch> left = branches.nextLeftOut(); left.isPresent(); left = branches.nextLeftOut()) {
-            pixel.add(1, left.get().weight(), background);
+        while (branches.nextLeftOut()) {
+            branches.weigh(weight);
+            pixel.add(1, weight, background);
         }
-        return pixel.total();
     }
 
     /** What one straight ray adds to the pixel: the surfaces along it up to the first opaque one, then the background. */
-    private void follow(Ray ray, Color rayWeight, int reflections, long key, LightSum pixel, Branches branches) {
-        Color weight = rayWeight;
+    private void follow(int reflections, long key) {
         int passed = 0;
-        for (Optional<Hit> next = compiled.firstHit(ray); next.isPresent(); next = compiled.nextHit(ray, next.get())) {
-            Hit hit = next.get();
-            Material material = materials.get(hit.material());
+        while (walk.advance()) {
+            Material material = materials.get(walk.material());
             double transparency = material.transparency();
             long hitKey = CounterRandom.bits(key, passed++);
-            Vector mirrored = Phong.mirrored(ray.direction(), hit.normal());
+            mirror();
             if (transparency < 1) {
-                pixel.add(1 - transparency, weight, directLight(material, hit, mirrored, hitKey));
+                addDirectLight(material, hitKey);
+                pixel.add(1 - transparency, weight, direct);
             }
             if (!material.reflection().isBlack()) {
-                Color mirrorWeight = weight.times(material.reflection());
-                if (reflections == maxReflections || isNegligible(mirrorWeight)) {
-                    pixel.add(1, mirrorWeight, background);
-                } else {
-                    long mirrorKey = CounterRandom.bits(hitKey, MIRROR);
-                    branches.add(hit.leaving(mirrored), mirrorWeight, reflections + 1, mirrorKey);
-                }
+                sendMirrored(material.reflection(), reflections, hitKey);
             }
             if (transparency == 0) {
                 return;
             }
-            weight = weight.times(transparency);
-            if (isNegligible(weight)) {
+            weight.scale(transparency);
+            if (weight.max() < negligibleWeight) {
                 break;                       // the background stands for whatever is behind
             }
         }
         pixel.add(1, weight, background);
     }
 
-    private boolean isNegligible(Color weight) {
-        return weight.max() < negligibleWeight;
+    private void sendMirrored(Color reflection, int reflections, long hitKey) {
+        mirrorWeight.setFiltered(weight, reflection);
+        if (reflections == maxReflections || mirrorWeight.max() < negligibleWeight) {
+            pixel.add(1, mirrorWeight, background);
+        } else {
+            branches.add(walk.point(), walk.surface(), mirroredX, mirroredY, mirroredZ, mirrorWeight, reflections + 1,
+                CounterRandom.bits(hitKey, MIRROR));
+        }
+    }
+
+    /** Finds the unit direction in which a mirror at the hit sends on what comes along the walk's ray. */
+    private void mirror() {
+        HitPoint hit = walk.point();
+        double twice = -2 * (walk.directionX() * hit.normalX() + walk.directionY() * hit.normalY()
+            + walk.directionZ() * hit.normalZ());
+        double x = walk.directionX() + twice * hit.normalX();
+        double y = walk.directionY() + twice * hit.normalY();
+        double z = walk.directionZ() + twice * hit.normalZ();
+        double scale = Vector.safeScale(x, y, z);
+        double factor = Vector.unitFactor(scale * x, scale * y, scale * z);
+        mirroredX = scale * x * factor;
+        mirroredY = scale * y * factor;
+        mirroredZ = scale * z * factor;
     }
 
     /**
-     * Diffuse and specular light of all lamps that reach this side of the surface: the sum of
+     * Sums diffuse and specular light of all lamps that reach this side of the surface: the sum of
      * share * light * (Kd (N.L) + Ks intensity max(0, R.V)^n) over the lights that the surface faces.
      */
-    private Color directLight(Material material, Hit hit, Vector mirrored, long hitKey) {
-        LightSum sum = new LightSum();
+    private void addDirectLight(Material material, long hitKey) {
+        direct.clear();
         for (int i = 0; i < lights.size(); i++) {
-            Light light = lights.get(i);
-            Vector toLight = light.position().minus(hit.point());
-            double distance = toLight.length();
-            double height = hit.normal().dot(toLight);
-            if (!(height > heightError(hit, light, distance))) {     // this way round, also where the light itself is
-                continue;
-            }
-            double facing = height / distance;
-            double highlight = Phong.highlight(material, light, mirrored.dot(toLight) / distance);
-            if (highlight > 0 || !material.diffuse().isBlack()) {
-                double share = shadows.arrivingShare(hit, light, CounterRandom.bits(hitKey, i));
-                sum.add(share * facing, material.diffuse(), light.color());
-                sum.add(share * highlight, material.specular(), light.color());
-            }
+            addLight(lights.get(i), material, CounterRandom.bits(hitKey, i));
         }
-        return sum.total();
+    }
+
+    private void addLight(Light light, Material material, long key) {
+        HitPoint hit = walk.point();
+        double x = light.position().x() - hit.x();
+        double y = light.position().y() - hit.y();
+        double z = light.position().z() - hit.z();
+        double distance = Vector.length(x, y, z);
+        double height = hit.alongNormal(x, y, z);
+        if (!(height > heightError(hit, light, distance))) {         // this way round, also where the light itself is
+            return;
+        }
+        double facing = height / distance;
+        double highlight = Phong.highlight(material, light, (mirroredX * x + mirroredY * y + mirroredZ * z) / distance);
+        if (highlight > 0 || !material.diffuse().isBlack()) {
+            double share = shadows.arrivingShare(hit, walk.surface(), light, key);
+            direct.add(share * facing, material.diffuse(), light.color());
+            direct.add(share * highlight, material.specular(), light.color());
+        }
     }
 
     /**
      * A light no higher above a surface than this is in it, as far as doubles know, and does not shine on it: the errors
      * of both points along a unit normal, and that of the normal itself.
      */
-    private static double heightError(Hit hit, Light light, double distance) {
-        return 2 * (hit.pointError() + PointError.written(light.position())) + NORMAL_ERROR * distance;
+    private static double heightError(HitPoint hit, Light light, double distance) {
+        return 2 * (hit.error() + PointError.written(light.position())) + NORMAL_ERROR * distance;
     }
 }

@@ -1,25 +1,28 @@
 package raytracing.shade;
 
 import raytracing.compiled.CompiledScene;
-import raytracing.geometry.Hit;
+import raytracing.compiled.ShadowLine;
+import raytracing.compiled.ShadowShaft;
+import raytracing.geometry.HitPoint;
 import raytracing.geometry.PointError;
-import raytracing.math.Basis;
 import raytracing.math.CounterRandom;
 import raytracing.math.Vector;
 import raytracing.scene.Light;
 
 /**
  * The exercise's soft shadows: a light shines from a square that always faces the shaded point, and N x N shadow rays
- * go to one random point in each of its N x N cells. Thread-safe.
+ * go to one random point in each of its N x N cells. One thread.
  */
 final class SoftShadows {
-    private final CompiledScene scene;
     private final int root;
+    private final ShadowLine line;
+    private final ShadowShaft shaft;
 
     /** Shadow rays for a scene; {@code root} is N, at least 1. */
     SoftShadows(CompiledScene scene, int root) {
-        this.scene = scene;
         this.root = root;
+        line = new ShadowLine(scene);
+        shaft = new ShadowShaft(scene);
     }
 
     /**
@@ -27,28 +30,43 @@ final class SoftShadows {
      * square), with s the light's shadow intensity.
      *
      * @param hit the shaded point
+     * @param surface number of the surface it is on
      * @param light the light, not at that point
      * @param key of the random numbers that place the shadow rays in their cells
      * @return in [0, 1]
      */
-    double arrivingShare(Hit hit, Light light, long key) {
+    double arrivingShare(HitPoint hit, int surface, Light light, long key) {
         double s = light.shadowIntensity();
         if (s == 0) {
             return 1;
         }
-        return (1 - s) + s * meanTransmittance(hit, light, key);
+        return (1 - s) + s * meanTransmittance(hit, surface, light, key);
     }
 
-    private double meanTransmittance(Hit hit, Light light, long key) {
+    private double meanTransmittance(HitPoint hit, int surface, Light light, long key) {
         Vector middle = light.position();
         double error = PointError.written(middle);
         if (root == 1 || light.width() == 0) {
-            return scene.transmittance(hit, middle.x(), middle.y(), middle.z(), error);
+            return line.transmittance(hit, surface, middle.x(), middle.y(), middle.z(), error);
         }
-        Basis square = Basis.around(middle.minus(hit.point()).unit());
-        Vector u = square.u();
-        Vector v = square.v();
-        double cell = light.width() / root;
+        shaft.aim(hit, surface, middle.x(), middle.y(), middle.z(), error, light.width());
+        double sum = shaft.isSettled() ? sumOfEqual(shaft.settledTransmittance()) : sum(light.width() / root, key);
+        return sum / ((double) root * root);
+    }
+
+    /** One by one, as the samples of a shadow's border are: so both have the same bits. */
+    private double sumOfEqual(double transmittance) {
+        if (transmittance == 0 || transmittance == 1) {
+            return transmittance * root * root;
+        }
+        double sum = 0;
+        for (int i = 0; i < root * root; i++) {
+            sum += transmittance;
+        }
+        return sum;
+    }
+
+    private double sum(double cell, long key) {
         double halfRoot = root / 2.0;
         double sum = 0;
         for (int row = 0; row < root; row++) {
@@ -56,12 +74,9 @@ final class SoftShadows {
                 long bits = CounterRandom.bits(key, (long) row * root + column);
                 double alongU = (column + CounterRandom.upperFraction(bits) - halfRoot) * cell;
                 double alongV = (row + CounterRandom.lowerFraction(bits) - halfRoot) * cell;
-                sum += scene.transmittance(hit,
-                    middle.x() + (alongU * u.x() + alongV * v.x()),
-                    middle.y() + (alongU * u.y() + alongV * v.y()),
-                    middle.z() + (alongU * u.z() + alongV * v.z()), error);
+                sum += shaft.transmittance(alongU, alongV);
             }
         }
-        return sum / ((double) root * root);
+        return sum;
     }
 }

@@ -12,8 +12,8 @@ class FilmTest {
     @Test
     void pixelsStayWhereTheyAreSet() {
         Film film = new Film(3, 2);
-        film.set(2, 0, new Color(1, 0, 0));
-        film.set(0, 1, new Color(0, 1, 0));
+        film.set(2, 0, 1, 0, 0);
+        film.set(0, 1, 0, 1, 0);
         assertEquals(new Color(1, 0, 0), film.get(2, 0));
         assertEquals(Color.BLACK, film.get(0, 0));
         assertEquals(0xffff0000, film.toImage().getRGB(2, 0));
@@ -24,7 +24,7 @@ class FilmTest {
     @Test
     void lightBeyondFullIsKeptUntilItIsEncoded() {
         Film film = new Film(1, 1);
-        film.set(0, 0, new Color(7, 0.5, 0));
+        film.set(0, 0, 7, 0.5, 0);
         assertEquals(7, film.get(0, 0).red());
     }
 
@@ -43,7 +43,7 @@ class FilmTest {
     })
     void channelsAreClampedAndRounded(String why, double light, int expected) {
         Film film = new Film(1, 1);
-        film.set(0, 0, new Color(light, light, light));
+        film.set(0, 0, light, light, light);
         assertEquals(expected, film.toImage().getRGB(0, 0) & 0xff, why);
     }
 

@@ -19,7 +19,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracing.color.Color;
 
 class ImageFileTest {
     @TempDir
@@ -29,7 +28,7 @@ class ImageFileTest {
         Film film = new Film(8, 4);
         for (int x = 0; x < 8; x++) {
             for (int y = 0; y < 4; y++) {
-                film.set(x, y, new Color(x / 7.0, y / 3.0, 0.2));
+                film.set(x, y, x / 7.0, y / 3.0, 0.2);
             }
         }
         return film;
@@ -72,7 +71,8 @@ class ImageFileTest {
         Film pattern = new Film(64, 64);
         for (int x = 0; x < 64; x++) {
             for (int y = 0; y < 64; y++) {
-                pattern.set(x, y, new Color(1, 1, 1).times((x ^ y) / 63.0));
+                double light = (x ^ y) / 63.0;
+                pattern.set(x, y, light, light, light);
             }
         }
         Path path = folder.resolve("pattern.jpg");

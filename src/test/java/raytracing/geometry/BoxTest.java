@@ -100,7 +100,7 @@ class BoxTest {
         Vector origin = centre.plus(4, outward).plus(new Vector(0.25, 0.5, -0.25));
         Vector direction = outward.times(-3).plus(new Vector(0.1, -0.2, 0.3));
         double distance = cube.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE);
-        assertEquals(outward, cube.outwardNormal(new Ray(origin, direction), distance).plus(Vector.ZERO));
+        assertEquals(outward, OutwardNormal.of(cube, new Ray(origin, direction), distance));
     }
 
     private static Hit hit(Ray ray) {

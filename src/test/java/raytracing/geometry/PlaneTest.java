@@ -37,7 +37,7 @@ class PlaneTest {
 
     @Test
     void theNormalIsUnitAndAsWritten() {
-        assertEquals(new Vector(0, 1, 0), LEVEL.outwardNormal(new Ray(new Vector(0, 0, 0), new Vector(0, 1, 0)), 2));
+        assertEquals(new Vector(0, 1, 0), OutwardNormal.of(LEVEL, new Ray(new Vector(0, 0, 0), new Vector(0, 1, 0)), 2));
     }
 
     @Test

@@ -88,7 +88,7 @@ class SphereTest {
     void normalsPointOutOfTheBody() {
         Sphere sphere = new Sphere(new Vector(10, 20, 30), 2, 0);
         assertEquals(new Vector(0, 0, -1),
-            sphere.outwardNormal(new Ray(new Vector(10, 20, 25), new Vector(0, 0, 1)), 3));
+            OutwardNormal.of(sphere, new Ray(new Vector(10, 20, 25), new Vector(0, 0, 1)), 3));
     }
 
     /** The hit is met, but its distance rounds to that of the centre: no direction is left between the two. */
@@ -99,7 +99,7 @@ class SphereTest {
         Vector direction = new Vector(0, 0, 1);
         double distance = speck.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE);
         assertEquals(1e9, distance);
-        assertEquals(-1, speck.outwardNormal(new Ray(origin, direction), distance).z());
+        assertEquals(-1, OutwardNormal.of(speck, new Ray(origin, direction), distance).z());
     }
 
     /** A law: what leaves a convex body outwards never meets it, what leaves inwards meets the far wall. */

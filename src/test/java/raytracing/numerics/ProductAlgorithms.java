@@ -3,6 +3,7 @@ package raytracing.numerics;
 import raytracing.geometry.Box;
 import raytracing.geometry.BoxKernel;
 import raytracing.geometry.Departure;
+import raytracing.geometry.OutwardNormal;
 import raytracing.geometry.Plane;
 import raytracing.geometry.PlaneKernel;
 import raytracing.geometry.Ray;
@@ -81,7 +82,7 @@ final class ProductAlgorithms {
     }
 
     static Vector outwardNormal(Surface surface, Query query, double t) {
-        return surface.outwardNormal(ray(query), t);
+        return OutwardNormal.of(surface, ray(query), t);
     }
 
     /** One whose origin is exactly where it says. */

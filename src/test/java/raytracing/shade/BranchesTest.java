@@ -1,21 +1,44 @@
 package raytracing.shade;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Optional;
+import java.util.Comparator;
+import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import raytracing.color.Color;
+import raytracing.SceneText;
+import raytracing.compiled.CompiledScene;
+import raytracing.compiled.RayWalk;
+import raytracing.compiled.ShadowMode;
+import raytracing.geometry.Departure;
+import raytracing.geometry.Hit;
+import raytracing.geometry.HitPoint;
 import raytracing.geometry.Ray;
 import raytracing.math.Vector;
 
 class BranchesTest {
-    private static final Ray RAY = new Ray(Vector.ZERO, new Vector(0, 0, 1));
+    private static final Hit HIT = new Hit(3, 0, 1, new Vector(1, 2, 3), 1e-9, new Vector(0, 1, 0), Departure.INWARD);
 
     private final Branches branches = new Branches();
 
     private void add(double weight, int reflections) {
-        branches.add(RAY, new Color(0, weight, 0), reflections, 0);
+        HitPoint from = new HitPoint();
+        from.take(HIT);
+        Weight green = new Weight();
+        green.set(0, weight, 0);
+        branches.add(from, HIT.surface(), 0, 0, 1, green, reflections, 7);
+    }
+
+    private double takenWeight() {
+        Weight weight = new Weight();
+        branches.weigh(weight);
+        assertEquals(0, weight.red());
+        assertEquals(0, weight.blue());
+        return weight.green();
     }
 
     @Test
@@ -26,11 +49,42 @@ class BranchesTest {
         add(2, 4);
         int[] order = new int[4];
         for (int i = 0; i < 4; i++) {
-            order[i] = branches.next().orElseThrow().reflections();
+            assertTrue(branches.next());
+            order[i] = branches.reflections();
         }
         assertEquals("[4, 2, 1, 3]", Arrays.toString(order));
-        assertEquals(Optional.empty(), branches.next());
-        assertEquals(Optional.empty(), branches.nextLeftOut());
+        assertFalse(branches.next());
+        assertFalse(branches.nextLeftOut());
+    }
+
+    /** The law of every queue of this kind, with additions and removals mixed: against a list that is searched. */
+    @Test
+    void theHeapAlwaysGivesTheHeaviestOfThoseThatWait() {
+        SplittableRandom random = new SplittableRandom(4);
+        List<double[]> waiting = new ArrayList<>();      // weight and age
+        for (int i = 0; i < Branches.MOST_FOLLOWED; i++) {
+            for (int added = random.nextInt(3); added >= 0; added--) {
+                double weight = random.nextInt(50);
+                waiting.add(new double[] {weight, waiting.size() + 3 * i});
+                add(weight, 1);
+            }
+            double[] heaviest = waiting.stream()
+                .max(Comparator.<double[]>comparingDouble(ray -> ray[0])).orElseThrow();
+            waiting.remove(heaviest);
+            assertTrue(branches.next());
+            assertEquals(heaviest[0], takenWeight());
+        }
+    }
+
+    @Test
+    void aBranchLeavesTheSurfaceOnTheSideFromWhichItWasSeen() {
+        add(1, 5);
+        branches.next();
+        RayWalk walk = new RayWalk(new CompiledScene(
+            SceneText.scene("cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0 0 0 1 1"), ShadowMode.ALL_SURFACES_STOP_LIGHT));
+        branches.start(walk);
+        assertEquals(new Ray(HIT.point(), 1e-9, new Vector(0, 0, 1), 3, Departure.INWARD), walk.ray());
+        assertEquals(7, branches.key());
     }
 
     @Test
@@ -39,13 +93,24 @@ class BranchesTest {
             add(1 + i, 1);
         }
         int followed = 0;
-        while (branches.next().isPresent()) {
+        while (branches.next()) {
             followed++;
         }
         assertEquals(Branches.MOST_FOLLOWED, followed);
         for (int weight = 3; weight >= 1; weight--) {
-            assertEquals(weight, branches.nextLeftOut().orElseThrow().weight().green());
+            assertTrue(branches.nextLeftOut());
+            assertEquals(weight, takenWeight());
         }
-        assertEquals(Optional.empty(), branches.nextLeftOut());
+        assertFalse(branches.nextLeftOut());
+    }
+
+    @Test
+    void aNewPixelStartsWithoutBranches() {
+        add(1, 1);
+        branches.clear();
+        assertFalse(branches.next());
+        add(0.5, 2);
+        assertTrue(branches.next());
+        assertEquals(0.5, takenWeight());
     }
 }

@@ -3,7 +3,6 @@ package raytracing.shade;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.PictureDifference;
@@ -12,7 +11,6 @@ import raytracing.compiled.CompiledScene;
 import raytracing.compiled.PixelRays;
 import raytracing.compiled.ShadowMode;
 import raytracing.film.Film;
-import raytracing.geometry.Ray;
 import raytracing.scene.Scene;
 
 /** What leaving out negligible light does to whole pictures, with the same random numbers on both sides. */
@@ -36,10 +34,8 @@ class LeftOutLightTest {
         Film film = new Film(SIZE, SIZE);
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
-                Optional<Ray> ray = rays.through(x + 0.5, y + 0.5);
-                if (ray.isPresent()) {
-                    film.set(x, y, shader.light(ray.get(), (long) y * SIZE + x));
-                }
+                LightSum light = shader.light(rays, x + 0.5, y + 0.5, (long) y * SIZE + x);
+                film.set(x, y, light.red(), light.green(), light.blue());
             }
         }
         return film;

@@ -25,13 +25,13 @@ class ShaderTest {
 
     private static Color light(Ray ray, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene)).light(ray, 1);
+        return new Shader(scene, compiled(scene)).light(ray, 1).total();
     }
 
     /** With nothing left out: for tests whose light comes from far down a chain of reflections. */
     private static Color allLight(Ray ray, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), 0).light(ray, 1);
+        return new Shader(scene, compiled(scene), 0).light(ray, 1).total();
     }
 
     private static CompiledScene compiled(Scene scene) {

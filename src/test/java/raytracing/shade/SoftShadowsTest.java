@@ -12,6 +12,7 @@ import raytracing.compiled.CompiledScene;
 import raytracing.compiled.ShadowMode;
 import raytracing.geometry.Departure;
 import raytracing.geometry.Hit;
+import raytracing.geometry.HitPoint;
 import raytracing.math.CounterRandom;
 import raytracing.math.Vector;
 import raytracing.scene.Scene;
@@ -25,13 +26,17 @@ class SoftShadowsTest {
         mtl 1 1 1 0 0 0 0 0 0 1 0.5
         pln 0 1 0 0 1
         """;
-    private static final Hit FLOOR = new Hit(0, 0, 1, Vector.ZERO, 0, new Vector(0, 1, 0), Departure.OUTWARD);
+    private static final HitPoint FLOOR = new HitPoint();
+
+    static {
+        FLOOR.take(new Hit(0, 0, 1, Vector.ZERO, 0, new Vector(0, 1, 0), Departure.OUTWARD));
+    }
 
     private static double share(int root, long key, double shadowIntensity, double width, String... surfaces) {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces)
             + "\nlgt 0 10 0 1 1 1 1 " + shadowIntensity + " " + width);
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        return new SoftShadows(compiled, root).arrivingShare(FLOOR, scene.lights().get(0), key);
+        return new SoftShadows(compiled, root).arrivingShare(FLOOR, 0, scene.lights().get(0), key);
     }
 
     @ParameterizedTest
@@ -121,7 +126,7 @@ class SoftShadowsTest {
         SoftShadows shadows = new SoftShadows(compiled, root);
         double sum = 0;
         for (int i = 0; i < keys; i++) {
-            sum += shadows.arrivingShare(FLOOR, scene.lights().get(0), CounterRandom.bits(5, i));
+            sum += shadows.arrivingShare(FLOOR, 0, scene.lights().get(0), CounterRandom.bits(5, i));
         }
         double standardError = Math.sqrt(hidden * (1 - hidden) / ((double) keys * root * root));
         assertEquals(expected, sum / keys, 5 * standardError);

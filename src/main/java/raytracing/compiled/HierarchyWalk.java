@@ -1,0 +1,4 @@
+package raytracing.compiled;
+
+final class HierarchyWalk {
+}

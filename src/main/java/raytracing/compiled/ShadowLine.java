@@ -1,0 +1,71 @@
+package raytracing.compiled;
+
+import raytracing.geometry.HitPoint;
+
+/**
+ * A line along which light may come to a hit, and the surfaces that it crosses. Every surface that the open line
+ * meets counts once. The hit's own surface counts where the line goes through its body from wall to wall: so a body shadows
+ * the part of a wide light that has sunk below the horizon of the hit.
+ *
+ * <p>One thread, line after line.
+ */
+public final class ShadowLine {
+    double px;
+    double py;
+    double pz;
+    double pointError;
+    double qx;
+    double qy;
+    double qz;
+    double endError;
+    double dx;
+    double dy;
+    double dz;
+    int surfaceLeft;
+
+    final CrossedSurfaces crossed;
+    final HierarchyWalk hierarchyWalk = new HierarchyWalk();
+    private final CompiledScene scene;
+
+    /**
+     * No line yet.
+     *
+     * @param scene the surfaces
+     */
+    public ShadowLine(CompiledScene scene) {
+        this.scene = scene;
+        crossed = new CrossedSurfaces(scene.transmittances());
+    }
+
+    /**
+     * How much light comes through between a hit and a point off it.
+     *
+     * @param hit one end
+     * @param surface number of the surface that was hit
+     * @param endX the other end, x part
+     * @param endY y part
+     * @param endZ z part
+     * @param error how far each part of the other end may be off
+     * @return product of the crossed surfaces' transmittances, in [0, 1]
+     */
+    public double transmittance(HitPoint hit, int surface, double endX, double endY, double endZ, double error) {
+        px = hit.x();
+        py = hit.y();
+        pz = hit.z();
+        pointError = hit.error();
+        qx = endX;
+        qy = endY;
+        qz = endZ;
+        endError = error;
+        dx = qx - px;
+        dy = qy - py;
+        dz = qz - pz;
+        surfaceLeft = surface;
+        crossed.clear();
+        scene.addCrossed(this);
+        if (!crossed.isDark() && scene.isOwnBodyCrossed(hit, surface, qx, qy, qz, endError)) {
+            crossed.add(surface);
+        }
+        return crossed.transmittance();
+    }
+}

@@ -1,0 +1,259 @@
+package raytracing.compiled;
+
+import raytracing.geometry.Departure;
+import raytracing.geometry.HitPoint;
+import raytracing.math.Basis;
+
+/**
+ * All lines along which light may come to a hit from a square that faces it: a pyramid, the shaft (Haines, Wallace, Shaft
+ * Culling for Efficient Ray-Cast Radiosity, Eurographics Rendering Workshop 1991). When it is aimed, every surface turns out to
+ * be beside it, which is forgotten; or to be crossed by all its lines, which is counted once; or to be an obstacle, which the
+ * lines ask one by one. All answers are those of {@link ShadowLine}, bit for bit: whatever rounding leaves open makes an
+ * obstacle.
+ *
+ * <p>The shaft's coordinates: x and y along the square's axes, z towards its middle, the hit at 0.
+ *
+ * <p>One thread, shaft after shaft.
+ */
+public final class ShadowShaft {
+    /**
+     * 256 u, with u = 2^-53: what the shaft's coordinates of a point may be off, and tests made of them, in multiples of the
+     * sizes that went into them (proved: 8 ulp for the axes, at most 16 roundings in all).
+     */
+    static final double ROUNDING = 0x1p-45;
+
+    /** More obstacles than this are not kept: then lines are asked one by one what they cross. */
+    private static final int MOST_OBSTACLES = 64;
+
+    double px;
+    double py;
+    double pz;
+    double pointError;
+    double lx;
+    double ly;
+    double lz;
+    double endError;
+    double tx;
+    double ty;
+    double tz;
+    double ux;
+    double uy;
+    double uz;
+    double vx;
+    double vy;
+    double vz;
+    double nx;
+    double ny;
+    double nz;
+    double depth;
+    double halfWidth;
+    double margin;
+    double reach;
+    double slant;
+    double cornerDistance;
+    double extentX;
+    double extentY;
+    double extentZ;
+    int surfaceLeft;
+
+    final boolean usesOwnCoordinates;
+    final CrossedSurfaces certain;
+    final CrossedSurfaces crossed;
+    final SphereObstacles spheres;
+    final PlaneObstacles planes;
+    final BoxObstacles boxes;
+    final HierarchyWalk hierarchyWalk = new HierarchyWalk();
+
+    private final CompiledScene scene;
+    private final ShadowLine line;
+    private final Basis square = new Basis();
+    private HitPoint hit;
+    private boolean asksLines;
+    private boolean ownBodyIsObstacle;
+    private double sampleX;
+    private double sampleY;
+
+    /**
+     * A shaft that is not aimed.
+     *
+     * @param scene the surfaces
+     */
+    public ShadowShaft(CompiledScene scene) {
+        this.scene = scene;
+        line = new ShadowLine(scene);
+        certain = new CrossedSurfaces(scene.transmittances());
+        crossed = new CrossedSurfaces(scene.transmittances());
+        spheres = new SphereObstacles(scene.spheres());
+        planes = new PlaneObstacles(scene.planes());
+        boxes = new BoxObstacles(scene.boxes());
+        usesOwnCoordinates = scene.uses(Shortcut.SHAFT_COORDINATES);
+    }
+
+    /**
+     * Turns the shaft from a hit to a light and sorts the surfaces.
+     *
+     * @param from the hit, which must stay as it is while the shaft is asked
+     * @param surface number of the surface that was hit
+     * @param lightX middle of the light's square, x part; not at the hit
+     * @param lightY y part
+     * @param lightZ z part
+     * @param error how far each part of it may be off
+     * @param width edge of the square
+     */
+    public void aim(HitPoint from, int surface, double lightX, double lightY, double lightZ, double error, double width) {
+        hit = from;
+        surfaceLeft = surface;
+        endError = error;
+        halfWidth = width / 2;
+        turnSquare(lightX, lightY, lightZ);
+        measure();
+        sort();
+    }
+
+    private void turnSquare(double lightX, double lightY, double lightZ) {
+        px = hit.x();
+        py = hit.y();
+        pz = hit.z();
+        pointError = hit.error();
+        lx = lightX;
+        ly = lightY;
+        lz = lightZ;
+        tx = lx - px;
+        ty = ly - py;
+        tz = lz - pz;
+        square.turnTo(tx, ty, tz);
+        ux = square.ux();
+        uy = square.uy();
+        uz = square.uz();
+        vx = square.vx();
+        vy = square.vy();
+        vz = square.vz();
+        nx = square.wx();
+        ny = square.wy();
+        nz = square.wz();
+    }
+
+    /** Works out what all surfaces are compared with. */
+    private void measure() {
+        depth = tx * nx + ty * ny + tz * nz;
+        reach = Math.abs(px) + Math.abs(py) + Math.abs(pz) + Math.abs(lx) + Math.abs(ly) + Math.abs(lz) + 2 * halfWidth;
+        margin = 8 * (pointError + endError) + ROUNDING * (depth + halfWidth);
+        slant = Math.sqrt(depth * depth + halfWidth * halfWidth);
+        cornerDistance = Math.sqrt(depth * depth + 2 * halfWidth * halfWidth);
+        extentX = halfWidth * (Math.abs(ux) + Math.abs(vx));
+        extentY = halfWidth * (Math.abs(uy) + Math.abs(vy));
+        extentZ = halfWidth * (Math.abs(uz) + Math.abs(vz));
+        ownBodyIsObstacle = !scene.isPlane(surfaceLeft) && !isWhollySeenFromOutside();
+    }
+
+    /** Whether the whole square is above the horizon of a hit that was seen from outside its body. */
+    private boolean isWhollySeenFromOutside() {
+        double height = hit.alongNormal(tx, ty, tz);
+        double spread = halfWidth * (Math.abs(hit.alongNormal(ux, uy, uz)) + Math.abs(hit.alongNormal(vx, vy, vz)));
+        return hit.side() == Departure.OUTWARD && height - spread > margin;
+    }
+
+    private void sort() {
+        certain.clear();
+        spheres.clear();
+        planes.clear();
+        boxes.clear();
+        asksLines = !scene.uses(Shortcut.SHADOW_SHAFTS);
+        if (!asksLines) {
+            scene.addTouched(this);
+        }
+    }
+
+    /** Gives up sorting if that costs more than it saves. */
+    boolean hasTooManyObstacles() {
+        if (spheres.count() + boxes.count() > MOST_OBSTACLES) {
+            asksLines = true;
+        }
+        return asksLines;
+    }
+
+    /** Whether a box of these half extents, margin included, with its centre (fx, fy, fz) from the hit is beside the shaft. */
+    boolean isBeside(double fx, double fy, double fz, double halfX, double halfY, double halfZ) {
+        if (fx - halfX > Math.max(0, tx + extentX) || fx + halfX < Math.min(0, tx - extentX)
+                || fy - halfY > Math.max(0, ty + extentY) || fy + halfY < Math.min(0, ty - extentY)
+                || fz - halfZ > Math.max(0, tz + extentZ) || fz + halfZ < Math.min(0, tz - extentZ)) {
+            return true;
+        }
+        double mz = fx * nx + fy * ny + fz * nz;
+        double halfDepth = halfX * Math.abs(nx) + halfY * Math.abs(ny) + halfZ * Math.abs(nz);
+        if (mz + halfDepth < 0 || mz - halfDepth > depth) {
+            return true;
+        }
+        return isBesideWall(fx, fy, fz, halfX, halfY, halfZ, ux, uy, uz)
+            || isBesideWall(fx, fy, fz, halfX, halfY, halfZ, vx, vy, vz);
+    }
+
+    /** Whether a box is beyond one of the two walls whose normals are depth a - halfWidth n and -depth a - halfWidth n. */
+    private boolean isBesideWall(double fx, double fy, double fz, double halfX, double halfY, double halfZ,
+                                 double ax, double ay, double az) {
+        double aside = depth * (fx * ax + fy * ay + fz * az);
+        double inside = halfWidth * (fx * nx + fy * ny + fz * nz);
+        return aside - inside > halfX * Math.abs(depth * ax - halfWidth * nx)
+            + halfY * Math.abs(depth * ay - halfWidth * ny) + halfZ * Math.abs(depth * az - halfWidth * nz)
+            || -aside - inside > halfX * Math.abs(depth * ax + halfWidth * nx)
+            + halfY * Math.abs(depth * ay + halfWidth * ny) + halfZ * Math.abs(depth * az + halfWidth * nz);
+    }
+
+    /**
+     * Whether all lines of the shaft cross the same surfaces.
+     *
+     * @return true if {@link #settledTransmittance} is that of every line
+     */
+    public boolean isSettled() {
+        return certain.isDark()
+            || !asksLines && !ownBodyIsObstacle && spheres.count() + planes.count() + boxes.count() == 0;
+    }
+
+    /**
+     * How much light comes through along any line of a settled shaft.
+     *
+     * @return product of the crossed surfaces' transmittances, in [0, 1]
+     */
+    public double settledTransmittance() {
+        return certain.transmittance();
+    }
+
+    /**
+     * How much light comes through along one line.
+     *
+     * @param x where it ends on the square, along its first axis, from the middle; in scene units
+     * @param y the same along the second axis
+     * @return product of the crossed surfaces' transmittances, in [0, 1]
+     */
+    public double transmittance(double x, double y) {
+        sampleX = x;
+        sampleY = y;
+        if (asksLines) {
+            return line.transmittance(hit, surfaceLeft, endX(), endY(), endZ(), endError);
+        }
+        crossed.copy(certain);
+        spheres.addCrossed(this, x, y);
+        planes.addCrossed(this, x, y);
+        boxes.addCrossed(this);
+        if (ownBodyIsObstacle && !crossed.isDark()
+                && scene.isOwnBodyCrossed(hit, surfaceLeft, endX(), endY(), endZ(), endError)) {
+            crossed.add(surfaceLeft);
+        }
+        return crossed.transmittance();
+    }
+
+    /** The end of the present line, world axes, x part. */
+    double endX() {
+        return lx + (sampleX * ux + sampleY * vx);
+    }
+
+    /** Its y part. */
+    double endY() {
+        return ly + (sampleX * uy + sampleY * vy);
+    }
+
+    /** Its z part. */
+    double endZ() {
+        return lz + (sampleX * uz + sampleY * vz);
+    }
+}
