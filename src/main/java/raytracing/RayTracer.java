@@ -64,6 +64,7 @@ public final class RayTracer {
         if (obstacle.isPresent()) {
             throw new RayTracerException(command.output() + ": " + obstacle.get());
         }
+        file.prepare();
         Scene scene = parseScene(command.scene());
         Film film = renderScene(scene, command.settings());
         saveImage(film, file);
@@ -107,7 +108,9 @@ public final class RayTracer {
     }
 
     private static int failed(int status, List<String> messages) {
-        messages.forEach(System.err::println);
+        for (String message : messages) {
+            System.err.println(message);
+        }
         return status;
     }
 

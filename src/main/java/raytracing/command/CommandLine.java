@@ -4,6 +4,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import raytracing.compiled.ShadowMode;
 import raytracing.film.Film;
 import raytracing.film.ImageFormat;
@@ -151,12 +152,15 @@ public final class CommandLine {
             throw new RayTracerException(count(operands.size()) + ": " + USAGE);
         }
         String output = operands.get(1);
-        ImageFormat format = ImageFormat.ofEnding(output).orElseThrow(() ->
-            new RayTracerException(output + ": unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif"));
-        if (operands.size() == 4) {
-            settings = sized(format);
+        Optional<ImageFormat> format = ImageFormat.ofEnding(output);
+        if (format.isEmpty()) {
+            throw new RayTracerException(output
+                + ": unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif");
         }
-        return new Command.Draw(path(operands.get(0)), path(output), format, settings);
+        if (operands.size() == 4) {
+            settings = sized(format.get());
+        }
+        return new Command.Draw(path(operands.get(0)), path(output), format.get(), settings);
     }
 
     private static String count(int operands) {

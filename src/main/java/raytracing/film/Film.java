@@ -1,6 +1,7 @@
 package raytracing.film;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.WritableRaster;
 import raytracing.color.Color;
 
 /**
@@ -84,13 +85,14 @@ public final class Film {
      */
     public BufferedImage toImage() {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        WritableRaster pixels = image.getRaster();   // copies rows; the image itself would convert pixel by pixel
         int[] row = new int[width];
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 int i = CHANNELS * (y * width + x);
                 row[x] = encoded(light[i]) << 16 | encoded(light[i + 1]) << 8 | encoded(light[i + 2]);
             }
-            image.setRGB(0, y, width, 1, row, 0, width);
+            pixels.setDataElements(0, y, width, 1, row);
         }
         return image;
     }

@@ -1,6 +1,5 @@
 package raytracing.film;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -73,6 +72,26 @@ public final class ImageFile {
     }
 
     /**
+     * Begins to load what {@link #write} will need, beside whatever is done until then: in a cold virtual machine that
+     * takes some 90 ms, most of what writing a small picture takes. Writes nothing. What fails here fails again when the
+     * picture is written, and is reported then.
+     */
+    public void prepare() {
+        Thread thread = new Thread("encoder") {
+            @Override
+            public void run() {
+                try {
+                    encode(new Film(1, 1), OutputStream.nullOutputStream());
+                } catch (IOException | RuntimeException | Error reportedByWrite) {
+                    // nothing is lost but the head start
+                }
+            }
+        };
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /**
      * Writes the picture.
      *
      * @param film the picture
@@ -83,7 +102,7 @@ public final class ImageFile {
         unfinished.toFile().deleteOnExit();  // also when a signal ends the program while it writes
         try {
             try (OutputStream stream = Files.newOutputStream(unfinished, StandardOpenOption.CREATE_NEW)) {
-                encode(film.toImage(), stream);
+                encode(film, stream);
             }
             moveIntoPlace(unfinished);
         } finally {
@@ -91,12 +110,13 @@ public final class ImageFile {
         }
     }
 
-    private void encode(BufferedImage image, OutputStream stream) throws IOException {
+    /** One at a time: threads that first meet the classes of a library in different orders may wait for each other. */
+    private synchronized void encode(Film film, OutputStream stream) throws IOException {
         ImageIO.setUseCache(false);          // its cache is a file in another folder, which may be full or forbidden
         ImageWriter writer = ImageIO.getImageWritersByFormatName(format.imageIoName()).next();
         try (ImageOutputStream output = ImageIO.createImageOutputStream(stream)) {
             writer.setOutput(output);
-            writer.write(null, new IIOImage(image, null, null), parameters(writer));
+            writer.write(null, new IIOImage(film.toImage(), null, null), parameters(writer));
         } finally {
             writer.dispose();
         }

@@ -26,6 +26,11 @@ final class Problems {
         problems.add(new Problem(line, fileName + ":" + line + ": " + printable(code) + ": " + message));
     }
 
+    /** Says what a value must be instead of what it is. */
+    static String refusal(String name, String expected, String got) {
+        return name + " must be " + expected + ", got " + printable(got);
+    }
+
     void addForWholeFile(String code, String message) {
         problems.add(new Problem(WHOLE_FILE, fileName + ": " + code + ": " + message));
     }

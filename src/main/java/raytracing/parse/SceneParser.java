@@ -1,14 +1,14 @@
 package raytracing.parse;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Function;
 import raytracing.color.Color;
 import raytracing.geometry.Box;
 import raytracing.geometry.Plane;
@@ -32,6 +32,8 @@ import raytracing.scene.Settings;
 public final class SceneParser {
     private static final double DEFAULT_FISHEYE_K = 0.5;
     private static final double DEFAULT_AMBIENT_SCALE = 1;
+    private static final Range SHADOW_RAY_ROOTS = Range.whole(1, 1024);
+    private static final Range RECURSIONS = Range.whole(0, 1000);
 
     /**
      * An up vector within this sine of the view counts as parallel to it: a million times the rounding of a direction
@@ -43,8 +45,22 @@ public final class SceneParser {
     private static final Material NO_MATERIAL =
         new Material(Color.BLACK, Color.BLACK, Color.BLACK, 0, 0, Color.BLACK);
 
+    /** Bytes of a file that are read at once. */
+    private static final int PIECE = 1 << 16;
+
+    private static final String UNKNOWN_CODE = "unknown code, expected cam, set, mtl, sph, pln, box or lgt";
+
+    /** Codes as {@link SceneText#code} packs them. */
+    private static final int CAM = 'c' << 16 | 'a' << 8 | 'm';
+    private static final int SET = 's' << 16 | 'e' << 8 | 't';
+    private static final int MTL = 'm' << 16 | 't' << 8 | 'l';
+    private static final int SPH = 's' << 16 | 'p' << 8 | 'h';
+    private static final int PLN = 'p' << 16 | 'l' << 8 | 'n';
+    private static final int BOX = 'b' << 16 | 'o' << 8 | 'x';
+    private static final int LGT = 'l' << 16 | 'g' << 8 | 't';
+
     private final Problems problems;
-    private final SceneText text;
+    private final Values values;
     private final List<Material> materials = new ArrayList<>();
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
@@ -53,7 +69,7 @@ public final class SceneParser {
     private final Single<Settings> settings = new Single<>();
 
     /** A use of a material that no line has defined so far. */
-    private record MaterialAhead(Values user, int number) {
+    private record MaterialAhead(int line, String code, int number) {
     }
 
     /** An object that a scene has exactly one of. */
@@ -64,7 +80,7 @@ public final class SceneParser {
 
     private SceneParser(String fileName, byte[] bytes) {
         problems = new Problems(fileName);
-        text = new SceneText(bytes);
+        values = new Values(new SceneText(bytes), problems);
     }
 
     /**
@@ -80,10 +96,31 @@ public final class SceneParser {
             if (Files.isDirectory(file)) {
                 throw new RayTracerException(file + ": is a folder, expected a scene file");
             }
-            return parse(file.toString(), Files.readAllBytes(file));
+            return parse(file.toString(), bytes(file));
         } catch (NoSuchFileException missing) {
             throw new RayTracerException(file + ": no such file, expected a scene file");
         }
+    }
+
+    /**
+     * Large files in pieces: the library, asked for all of a file, makes a second copy of it outside the heap, which
+     * took half as long again (53 instead of 36 ms for 33 MB). What has no size, as a pipe, is left to the library.
+     */
+    private static byte[] bytes(Path file) throws IOException {
+        long size = Files.size(file);
+        if (size <= PIECE || size > Integer.MAX_VALUE) {
+            return Files.readAllBytes(file);
+        }
+        byte[] bytes = new byte[(int) size];
+        int length = 0;
+        try (InputStream stream = Files.newInputStream(file)) {
+            int read = stream.read(bytes, 0, PIECE);
+            while (read > 0) {
+                length += read;
+                read = stream.read(bytes, length, Math.min(PIECE, bytes.length - length));
+            }
+        }
+        return length == bytes.length ? bytes : Arrays.copyOf(bytes, length);
     }
 
     /**
@@ -99,11 +136,8 @@ public final class SceneParser {
     }
 
     private Scene scene() throws RayTracerException {
-        while (text.hasMoreLines()) {
-            List<String> tokens = text.nextLine();
-            if (!tokens.isEmpty()) {
-                readLine(tokens.get(0), tokens.subList(1, tokens.size()));
-            }
+        while (values.nextLine()) {
+            readLine();
         }
         for (MaterialAhead ahead : materialsAhead) {
             checkDefined(ahead);
@@ -114,36 +148,65 @@ public final class SceneParser {
         return new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
     }
 
-    private void readLine(String code, List<String> tokens) {
-        Values values = new Values(text.lineNumber(), code, tokens, problems);
-        switch (code.toLowerCase(Locale.ROOT)) {
-            case "cam" -> readSingle(camera, LineForm.CAM, values, this::camera);
-            case "set" -> readSingle(settings, LineForm.SET, values, this::settings);
-            case "mtl" -> materials.add(read(LineForm.MTL, values, this::material).orElse(NO_MATERIAL));
-            case "sph" -> read(LineForm.SPH, values, this::sphere).ifPresent(surfaces::add);
-            case "pln" -> read(LineForm.PLN, values, this::plane).ifPresent(surfaces::add);
-            case "box" -> read(LineForm.BOX, values, this::box).ifPresent(surfaces::add);
-            case "lgt" -> read(LineForm.LGT, values, this::light).ifPresent(lights::add);
-            default -> values.problem("unknown code, expected cam, set, mtl, sph, pln, box or lgt");
+    private void readLine() {
+        switch (values.code()) {
+            case CAM -> readCamera();
+            case SET -> readSettings();
+            case MTL -> materials.add(isComplete(LineForm.MTL) ? material() : NO_MATERIAL);
+            case SPH -> {
+                if (isComplete(LineForm.SPH)) {
+                    surfaces.add(sphere());
+                }
+            }
+            case PLN -> {
+                if (isComplete(LineForm.PLN)) {
+                    surfaces.add(plane());
+                }
+            }
+            case BOX -> {
+                if (isComplete(LineForm.BOX)) {
+                    surfaces.add(box());
+                }
+            }
+            case LGT -> {
+                if (isComplete(LineForm.LGT)) {
+                    lights.add(light());
+                }
+            }
+            default -> values.problem(UNKNOWN_CODE);
         }
     }
 
-    /** The object of a line, or none if it has not as many values as its form. */
-    private static <T> Optional<T> read(LineForm form, Values values, Function<Values, T> reader) {
-        if (form.counts.contains(values.count())) {
-            return Optional.of(reader.apply(values));
+    /** Whether a line has as many values as its form; a problem if not. */
+    private boolean isComplete(LineForm form) {
+        boolean complete = form.allows(values.count());
+        if (!complete) {
+            values.problem(form.expectation() + ", got " + values.count() + form.surplus(values));
         }
-        values.problem(form.expectation() + ", got " + values.count() + form.surplus(values));
-        return Optional.empty();
+        return complete;
     }
 
-    private static <T> void readSingle(Single<T> object, LineForm form, Values values, Function<Values, T> reader) {
-        if (object.line == 0) {
+    private void readCamera() {
+        if (isFirst(camera) && isComplete(LineForm.CAM)) {
+            camera.value = Optional.of(camera());
+        }
+    }
+
+    private void readSettings() {
+        if (isFirst(settings) && isComplete(LineForm.SET)) {
+            settings.value = Optional.of(settings());
+        }
+    }
+
+    /** Whether no line before this one has the object; a problem if one has. */
+    private boolean isFirst(Single<?> object) {
+        boolean first = object.line == 0;
+        if (first) {
             object.line = values.line();
-            object.value = read(form, values, reader);
         } else {
             values.problem("one too many, the first is on line " + object.line + ", expected exactly one");
         }
+        return first;
     }
 
     /** How many values follow a code, the counts in rising order, and what they are. */
@@ -157,29 +220,38 @@ public final class SceneParser {
         LGT("position 3, colour 3, specular intensity, shadow intensity, width", 9);
 
         private final String values;
-        private final List<Integer> counts;
+        private final int[] counts;
 
-        LineForm(String values, Integer... counts) {
+        LineForm(String values, int... counts) {
             this.values = values;
-            this.counts = List.of(counts);
+            this.counts = counts;
+        }
+
+        private boolean allows(int count) {
+            for (int allowed : counts) {
+                if (allowed == count) {
+                    return true;
+                }
+            }
+            return false;
         }
 
         private String expectation() {
             StringBuilder alternatives = new StringBuilder();
-            for (int i = 0; i < counts.size(); i++) {
-                String separator = i == 0 ? "" : i == counts.size() - 1 ? " or " : ", ";
-                alternatives.append(separator).append(counts.get(i));
+            for (int i = 0; i < counts.length; i++) {
+                String separator = i == 0 ? "" : i == counts.length - 1 ? " or " : ", ";
+                alternatives.append(separator).append(counts[i]);
             }
             return "expected " + alternatives + " values (" + values + ")";
         }
 
         private String surplus(Values found) {
-            int most = counts.get(counts.size() - 1);
-            return found.count() > most ? ", first surplus value " + Problems.printable(found.token(most)) : "";
+            int most = counts[counts.length - 1];
+            return found.count() > most ? ", first surplus value " + Problems.printable(found.token(most + 1)) : "";
         }
     }
 
-    private Camera camera(Values values) {
+    private Camera camera() {
         Vector position = values.vector("position");
         Vector lookAt = values.vector("look-at");
         Vector up = values.vector("up");
@@ -190,12 +262,12 @@ public final class SceneParser {
         Lens lens = fisheye ? new Fisheye(k) : new Pinhole();
         Camera camera = new Camera(position, lookAt, up, screenDistance, screenWidth, lens);
         if (values.problemsFound() == 0) {
-            checkView(values, camera);
+            checkView(camera);
         }
         return camera;
     }
 
-    private static void checkView(Values values, Camera camera) {
+    private void checkView(Camera camera) {
         Vector up = camera.up();
         if (camera.position().minus(camera.lookAt()).isZero()) {
             values.refuse("look-at", "another point than the position", shown(camera.lookAt()));
@@ -210,16 +282,16 @@ public final class SceneParser {
         return vector.x() + " " + vector.y() + " " + vector.z();
     }
 
-    private Settings settings(Values values) {
+    private Settings settings() {
         Color background = values.color("background");
-        int shadowRayRoot = values.wholeNumber("shadow ray root", 1, 1024);
-        int maxReflections = values.wholeNumber("maximum recursion", 0, 1000);
+        int shadowRayRoot = values.wholeNumber("shadow ray root", SHADOW_RAY_ROOTS);
+        int maxReflections = values.wholeNumber("maximum recursion", RECURSIONS);
         double ambientScale = values.hasMore()
             ? values.number("ambient scale", Range.AT_LEAST_0) : DEFAULT_AMBIENT_SCALE;
         return new Settings(background, shadowRayRoot, maxReflections, ambientScale);
     }
 
-    private Material material(Values values) {
+    private Material material() {
         Color diffuse = values.color("diffuse");
         Color specular = values.color("specular");
         Color reflection = values.color("reflection");
@@ -229,28 +301,28 @@ public final class SceneParser {
         return new Material(diffuse, specular, reflection, phongExponent, transparency, ambient);
     }
 
-    private Sphere sphere(Values values) {
+    private Sphere sphere() {
         Vector centre = values.vector("centre");
         double radius = values.number("radius", Range.ABOVE_0);
-        return new Sphere(centre, radius, materialIndex(values));
+        return new Sphere(centre, radius, materialIndex());
     }
 
-    private Plane plane(Values values) {
+    private Plane plane() {
         Vector normal = values.vector("normal");
         if (normal.isZero()) {
             values.refuse("normal", "a direction, not zero", shown(normal));
         }
         double offset = values.number("offset", Range.ANY);
-        return new Plane(normal, offset, materialIndex(values));
+        return new Plane(normal, offset, materialIndex());
     }
 
-    private Box box(Values values) {
+    private Box box() {
         Vector centre = values.vector("centre");
         double edge = values.number("edge", Range.ABOVE_0);
-        return new Box(centre, edge, materialIndex(values));
+        return new Box(centre, edge, materialIndex());
     }
 
-    private Light light(Values values) {
+    private Light light() {
         Vector position = values.vector("position");
         Color color = values.color("colour");
         double specularIntensity = values.number("specular intensity", Range.AT_LEAST_0);
@@ -260,11 +332,11 @@ public final class SceneParser {
     }
 
     /** The material's place in the list, from 0. Its line may still be ahead. */
-    private int materialIndex(Values values) {
+    private int materialIndex() {
         int problemsBefore = values.problemsFound();
-        int number = (int) values.number("material", Range.WHOLE_FROM_1);
+        int number = values.wholeNumber("material", Range.WHOLE_FROM_1);
         if (number > materials.size() && values.problemsFound() == problemsBefore) {
-            materialsAhead.add(new MaterialAhead(values, number));
+            materialsAhead.add(new MaterialAhead(values.line(), values.token(0), number));
         }
         return number - 1;
     }
@@ -273,7 +345,8 @@ public final class SceneParser {
         int defined = materials.size();
         if (ahead.number > defined) {
             String expected = defined == 0 ? "that of a mtl line, and there is none" : "from 1 to " + defined;
-            ahead.user.refuse("material", expected, Integer.toString(ahead.number));
+            problems.add(ahead.line, ahead.code,
+                Problems.refusal("material", expected, Integer.toString(ahead.number)));
         }
     }
 

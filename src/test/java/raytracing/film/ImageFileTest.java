@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ImageFileTest {
@@ -91,6 +92,17 @@ class ImageFileTest {
     void nothingButTheFinishedFileIsLeft() throws IOException {
         new ImageFile(folder.resolve("picture.png"), ImageFormat.PNG).write(film());
         assertEquals(List.of("picture.png"), filesInFolder());
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aPreparedFileGetsTheSameBytesAsAnUnpreparedOne(ImageFormat format) throws IOException {
+        ImageFile prepared = new ImageFile(folder.resolve("prepared"), format);
+        prepared.prepare();
+        prepared.write(film());
+        new ImageFile(folder.resolve("unprepared"), format).write(film());
+        assertEquals(-1, Files.mismatch(folder.resolve("prepared"), folder.resolve("unprepared")));
+        assertEquals(List.of("prepared", "unprepared"), filesInFolder());
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -152,6 +153,45 @@ class SceneParserTest {
         }
         text.writeBytes(HEAD.getBytes(StandardCharsets.US_ASCII));
         assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray()));
+    }
+
+    /** Bytes of which a wide space could be made, but is not: part of the word, and shown as the library replaces them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"c0a0", "e080a0", "c2", "a0", "e280", "e3", "eda080", "f09f98", "ff"})
+    void whatOnlyLooksLikeAWideSpaceIsNone(String hexadecimal) {
+        assertIsOneWord(hexadecimal, "x\n");
+        assertIsOneWord(hexadecimal, "");
+    }
+
+    private static void assertIsOneWord(String hexadecimal, String end) {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        text.writeBytes((HEAD + "x").getBytes(StandardCharsets.UTF_8));
+        text.writeBytes(HexFormat.of().parseHex(hexadecimal));
+        text.writeBytes(end.getBytes(StandardCharsets.UTF_8));
+        String word = text.toString(StandardCharsets.UTF_8).substring(HEAD.length()).strip();
+        assertEquals(List.of("test.txt:4: " + word + ": unknown code, expected cam, set, mtl, sph, pln, box or lgt"),
+            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", text.toByteArray())).messages());
+    }
+
+    @Test
+    void aWideSpaceMayStandAtTheVeryEnd() throws RayTracerException {
+        assertEquals(parse(HEAD), parse(HEAD + "\u3000"));
+        assertEquals(parse(HEAD), parse(HEAD.strip() + "\u00a0"));
+    }
+
+    @Test
+    void aLineMayHaveMoreValuesThanAnyFormAndIsToldHowMany() {
+        assertEquals(List.of("test.txt:4: sph: expected 5 values (centre 3, radius, material), got 1000, "
+            + "first surplus value 5"), messages(HEAD + "sph 0 1 2 3 4" + " 5".repeat(995) + "\n"));
+    }
+
+    /** The least double above 0 is above 0. */
+    @Test
+    void aRadiusMayBeAsSmallAsThereIs() throws RayTracerException {
+        assertEquals(List.of(new Sphere(Vector.ZERO, Double.MIN_VALUE, 0)),
+            parse(HEAD + "sph 0 0 0 4.9e-324 1\n").surfaces());
+        assertEquals(List.of("test.txt:4: sph: radius must be above 0, got 1e-400"),
+            messages(HEAD + "sph 0 0 0 1e-400 1\n"));
     }
 
     @Test
@@ -346,6 +386,22 @@ class SceneParserTest {
             assertThrows(RayTracerException.class, () -> SceneParser.parseFile(missing)).getMessage());
         assertEquals(folder + ": is a folder, expected a scene file",
             assertThrows(RayTracerException.class, () -> SceneParser.parseFile(folder)).getMessage());
+    }
+
+    /** Files of more than 64 kB are read in pieces: every line must be there, once and in its place. */
+    @Test
+    void aLargeFileIsTheSameSceneAsItsText(@TempDir Path folder) throws Exception {
+        StringBuilder text = new StringBuilder(HEAD);
+        for (int i = 0; i < 20_000; i++) {
+            text.append("sph ").append(i).append(" 0 0 1 1\n");
+        }
+        Path file = folder.resolve("large.txt");
+        Files.writeString(file, text);
+        Scene scene = SceneParser.parseFile(file);
+        assertEquals(20_000, scene.surfaces().size());
+        for (int i = 0; i < 20_000; i++) {
+            assertEquals(new Sphere(new Vector(i, 0, 0), 1, 0), scene.surfaces().get(i));
+        }
     }
 
     @Test
