@@ -34,6 +34,9 @@ public final class SphereKernel {
     /** Above this, a compensated power's error, at most 2^-101 times the squares it adds up, is far below rounding. */
     private static final double COMPENSATED_POWER_ERROR = 0x1p-46;
 
+    /** Beyond this, the numbers that make q, compensated and so off by 2^-97 of its largest size, are as good as exact. */
+    private static final double COMPENSATED_SQUARE_ERROR = 0x1p-80;
+
     /** How much of R must be left in the discriminant, that is, how far from grazing doubles are trusted. */
     private static final double CLEAR_DISCRIMINANT = 0x1p-9;
 
@@ -134,8 +137,13 @@ public final class SphereKernel {
             double b = -(fx * dx + fy * dy + fz * dz);
             double root = Math.sqrt(discriminant);
             double q = Math.abs(b) + root;
+            if (discriminant < CLEAR_BESIDE * a * (r * r) || q * q < CLEAR_POWER * a * squares) {
+                b = compensatedApproach(ox, oy, oz, dx, dy, dz, cx, cy, cz);
+                root = Math.sqrt(compensatedDiscriminant(ox, oy, oz, dx, dy, dz, cx, cy, cz, r));
+                q = Math.abs(b) + root;
+            }
             if (Math.abs(power) > COMPENSATED_POWER_ERROR * squares + onSphere
-                    && discriminant > CLEAR_BESIDE * a * (r * r) && q * q > CLEAR_POWER * a * squares) {
+                    && a * (r * r) > SMALL_SQUARE && q * q > COMPENSATED_SQUARE_ERROR * a * squares) {
                 if (b > 0) {
                     return power > 0 ? power / q : q / a;
                 }
@@ -159,6 +167,66 @@ public final class SphereKernel {
         double sumErrors = DoubleDouble.errorOfSum(fx * fx, fy * fy, xy) + DoubleDouble.errorOfSum(xy, fz * fz, xyz)
             + DoubleDouble.errorOfSum(xyz, -(r * r), power);
         return power + (sumErrors + ((errorX + errorY) + errorZ - errorOfSquare(r, 0)));
+    }
+
+    /**
+     * r r (d . d) - |f x d|^2 in pairs of doubles, of which one is returned: error at most 2^-98 (R + |f x d|^2) and one
+     * rounding (proved: each pair is off by at most 3 u^2 of the sizes that went into it).
+     */
+    private static double compensatedDiscriminant(double ox, double oy, double oz, double dx, double dy, double dz,
+                                                  double cx, double cy, double cz, double r) {
+        double fx = ox - cx;
+        double fy = oy - cy;
+        double fz = oz - cz;
+        double restX = DoubleDouble.errorOfSum(ox, -cx, fx);
+        double restY = DoubleDouble.errorOfSum(oy, -cy, fy);
+        double restZ = DoubleDouble.errorOfSum(oz, -cz, fz);
+        double gx = fy * dz - fz * dy;
+        double gy = fz * dx - fx * dz;
+        double gz = fx * dy - fy * dx;
+        double lowX = errorOfDifference(fy, dz, fz, dy, gx) + (restY * dz - restZ * dy);
+        double lowY = errorOfDifference(fz, dx, fx, dz, gy) + (restZ * dx - restX * dz);
+        double lowZ = errorOfDifference(fx, dy, fy, dx, gz) + (restX * dy - restY * dx);
+        double squaredRadius = r * r;
+        double aXy = dx * dx + dy * dy;
+        double a = aXy + dz * dz;
+        double lowA = errorOfSquare(dx, 0) + errorOfSquare(dy, 0) + errorOfSquare(dz, 0)
+            + DoubleDouble.errorOfSum(dx * dx, dy * dy, aXy) + DoubleDouble.errorOfSum(aXy, dz * dz, a);
+        double high = a * squaredRadius;
+        double low = Math.fma(a, squaredRadius, -high) + (lowA * squaredRadius + a * errorOfSquare(r, 0));
+        double withoutX = high - gx * gx;
+        double withoutXy = withoutX - gy * gy;
+        double discriminant = withoutXy - gz * gz;
+        double errors = DoubleDouble.errorOfSum(high, -(gx * gx), withoutX)
+            + DoubleDouble.errorOfSum(withoutX, -(gy * gy), withoutXy)
+            + DoubleDouble.errorOfSum(withoutXy, -(gz * gz), discriminant);
+        double squares = errorOfSquare(gx, lowX) + errorOfSquare(gy, lowY) + errorOfSquare(gz, lowZ);
+        return discriminant + (errors + (low - squares));
+    }
+
+    /** -(f . d) in pairs of doubles, of which one is returned: error at most 2^-101 |f| |d| and one rounding. */
+    private static double compensatedApproach(double ox, double oy, double oz, double dx, double dy, double dz,
+                                              double cx, double cy, double cz) {
+        double fx = ox - cx;
+        double fy = oy - cy;
+        double fz = oz - cz;
+        double x = fx * dx;
+        double y = fy * dy;
+        double z = fz * dz;
+        double xy = x + y;
+        double xyz = xy + z;
+        double rests = DoubleDouble.errorOfSum(ox, -cx, fx) * dx + DoubleDouble.errorOfSum(oy, -cy, fy) * dy
+            + DoubleDouble.errorOfSum(oz, -cz, fz) * dz;
+        double errors = Math.fma(fx, dx, -x) + Math.fma(fy, dy, -y) + Math.fma(fz, dz, -z)
+            + DoubleDouble.errorOfSum(x, y, xy) + DoubleDouble.errorOfSum(xy, z, xyz);
+        return -(xyz + (errors + rests));
+    }
+
+    /** What the double nearest to p q - v w, rounded thrice, leaves out of it. */
+    private static double errorOfDifference(double p, double q, double v, double w, double difference) {
+        double pq = p * q;
+        double vw = v * w;
+        return Math.fma(p, q, -pq) - Math.fma(v, w, -vw) + DoubleDouble.errorOfSum(pq, -vw, difference);
     }
 
     /** What v v leaves out of the square of v + error. */
