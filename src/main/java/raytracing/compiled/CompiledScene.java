@@ -1,8 +1,8 @@
 package raytracing.compiled;
 
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import raytracing.geometry.Box;
 import raytracing.geometry.Departure;
@@ -20,6 +20,9 @@ import raytracing.scene.Scene;
  * objects, so the answers are theirs, bit for bit. Immutable.
  */
 public final class CompiledScene {
+    /** Fewer surfaces of a kind are asked one by one (measured: PERFORMANCE). */
+    private static final int FEWEST_IN_A_HIERARCHY = 48;
+
     private final Surface[] surfaces;
     private final SphereArray spheres;
     private final PlaneArray planes;
@@ -28,33 +31,34 @@ public final class CompiledScene {
     private final Set<Shortcut> shortcuts;
 
     /**
-     * Sorts the surfaces of a scene by kind.
+     * Sorts the surfaces of a scene by kind, with all shortcuts.
      *
      * @param scene the scene
      * @param shadowMode what transparent surfaces do to light that falls through them
      */
     public CompiledScene(Scene scene, ShadowMode shadowMode) {
-        this(scene, shadowMode, EnumSet.allOf(Shortcut.class));
+        this(scene, shadowMode, EnumSet.allOf(Shortcut.class), Workers.ALONE);
     }
 
     /**
-     * The same with some shortcuts only, to compare with.
+     * Sorts the surfaces of a scene by kind.
      *
      * @param scene the scene
      * @param shadowMode what transparent surfaces do to light that falls through them
-     * @param shortcuts those that may be taken
+     * @param shortcuts those that may be taken: all, but to compare with
+     * @param workers who does it; the result is the same
      */
-    public CompiledScene(Scene scene, ShadowMode shadowMode, Set<Shortcut> shortcuts) {
+    public CompiledScene(Scene scene, ShadowMode shadowMode, Set<Shortcut> shortcuts, Workers workers) {
         this.shortcuts = shortcuts;
         surfaces = scene.surfaces().toArray(new Surface[0]);
-        Sorter sorter = new Sorter();
-        for (Surface surface : surfaces) {
-            surface.presentTo(sorter);
-            sorter.number++;
-        }
-        spheres = new SphereArray(sorter.spheres, numbers(sorter.sphereNumbers));
-        planes = new PlaneArray(sorter.planes, numbers(sorter.planeNumbers));
-        boxes = new BoxArray(sorter.boxes, numbers(sorter.boxNumbers));
+        Sorter sorter = new Sorter(surfaces);
+        spheres = new SphereArray(sorter.spheres, sorter.sphereNumbers,
+            needsHierarchy(sorter.spheres.length)
+                ? Optional.of(Hierarchy.over(SphereArray.bounds(sorter.spheres), workers)) : Optional.empty());
+        planes = new PlaneArray(sorter.planes, sorter.planeNumbers);
+        boxes = new BoxArray(sorter.boxes, sorter.boxNumbers,
+            needsHierarchy(sorter.boxes.length)
+                ? Optional.of(Hierarchy.over(BoxArray.bounds(sorter.boxes), workers)) : Optional.empty());
         transmittanceOf = new double[surfaces.length];
         if (shadowMode == ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT) {
             List<Material> materials = scene.materials();
@@ -64,39 +68,59 @@ public final class CompiledScene {
         }
     }
 
-    private static int[] numbers(List<Integer> list) {
-        int[] numbers = new int[list.size()];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = list.get(i);
-        }
-        return numbers;
+    private boolean needsHierarchy(int count) {
+        return count >= FEWEST_IN_A_HIERARCHY && shortcuts.contains(Shortcut.HIERARCHY);
     }
 
+    /** The surfaces of each kind and their numbers in the scene. */
     private static final class Sorter implements Surface.Receiver {
-        private final List<Sphere> spheres = new ArrayList<>();
-        private final List<Integer> sphereNumbers = new ArrayList<>();
-        private final List<Plane> planes = new ArrayList<>();
-        private final List<Integer> planeNumbers = new ArrayList<>();
-        private final List<Box> boxes = new ArrayList<>();
-        private final List<Integer> boxNumbers = new ArrayList<>();
+        private final Sphere[] spheres;
+        private final int[] sphereNumbers;
+        private final Plane[] planes;
+        private final int[] planeNumbers;
+        private final Box[] boxes;
+        private final int[] boxNumbers;
+        private int sphereCount;
+        private int planeCount;
+        private int boxCount;
         private int number;
+
+        Sorter(Surface[] surfaces) {
+            for (Surface surface : surfaces) {
+                sphereCount += surface instanceof Sphere ? 1 : 0;
+                planeCount += surface instanceof Plane ? 1 : 0;
+                boxCount += surface instanceof Box ? 1 : 0;
+            }
+            spheres = new Sphere[sphereCount];
+            sphereNumbers = new int[sphereCount];
+            planes = new Plane[planeCount];
+            planeNumbers = new int[planeCount];
+            boxes = new Box[boxCount];
+            boxNumbers = new int[boxCount];
+            sphereCount = 0;
+            planeCount = 0;
+            boxCount = 0;
+            for (number = 0; number < surfaces.length; number++) {
+                surfaces[number].presentTo(this);
+            }
+        }
 
         @Override
         public void sphere(Sphere sphere) {
-            spheres.add(sphere);
-            sphereNumbers.add(number);
+            sphereNumbers[sphereCount] = number;
+            spheres[sphereCount++] = sphere;
         }
 
         @Override
         public void plane(Plane plane) {
-            planes.add(plane);
-            planeNumbers.add(number);
+            planeNumbers[planeCount] = number;
+            planes[planeCount++] = plane;
         }
 
         @Override
         public void box(Box box) {
-            boxes.add(box);
-            boxNumbers.add(number);
+            boxNumbers[boxCount] = number;
+            boxes[boxCount++] = box;
         }
     }
 
@@ -110,6 +134,11 @@ public final class CompiledScene {
 
     boolean isPlane(int number) {
         return surfaces[number] instanceof Plane;
+    }
+
+    /** Whether there are so many surfaces that a hierarchy finds them. */
+    boolean hasHierarchy() {
+        return spheres.hasHierarchy() || boxes.hasHierarchy();
     }
 
     SphereArray spheres() {
@@ -130,24 +159,24 @@ public final class CompiledScene {
     }
 
     /** Offers the first crossing of a ray with every surface but the one it leaves. */
-    void offerCrossings(RayWalk ray, HierarchyWalk walk, Nearest nearest) {
-        planes.offerCrossings(ray, nearest);
-        spheres.offerCrossings(ray, 0, spheres.count(), nearest);
-        boxes.offerCrossings(ray, 0, boxes.count(), nearest);
+    void offerCrossings(RayWalk ray, HierarchyWalk walk, Crossings crossings) {
+        planes.offerCrossings(ray, crossings);
+        spheres.offerCrossings(ray, walk, crossings);
+        boxes.offerCrossings(ray, walk, crossings);
     }
 
     /** Adds all surfaces that a line crosses, but for the one it leaves; may stop when no light is left. */
-    void addCrossed(ShadowLine line) {
+    void addCrossed(ShadowLine line, HierarchyWalk walk) {
         planes.addCrossed(line);
-        spheres.addCrossed(line, 0, spheres.count());
-        boxes.addCrossed(line, 0, boxes.count());
+        spheres.addCrossed(line, walk);
+        boxes.addCrossed(line, walk);
     }
 
     /** Adds all surfaces that lines of a shaft may cross, but for the one they leave; may stop when no light is left. */
-    void addTouched(ShadowShaft shaft) {
+    void addTouched(ShadowShaft shaft, PyramidWalk walk) {
         planes.addTouched(shaft);
-        spheres.addTouched(shaft, 0, spheres.count());
-        boxes.addTouched(shaft, 0, boxes.count());
+        spheres.addTouched(shaft, walk);
+        boxes.addTouched(shaft, walk);
     }
 
     /** Whether a straight line from a hit goes through the body of the surface that was hit, from wall to wall. */

@@ -22,14 +22,15 @@ final class CrossedSurfaces {
         isDark = false;
     }
 
-    /** Takes over what another has. */
-    void copy(CrossedSurfaces other) {
-        if (numbers.length < other.count) {
-            numbers = new int[other.numbers.length];
+    boolean isEmpty() {
+        return count == 0 && !isDark;
+    }
+
+    void addAll(CrossedSurfaces others) {
+        for (int i = 0; i < others.count; i++) {
+            add(others.numbers[i]);
         }
-        System.arraycopy(other.numbers, 0, numbers, 0, other.count);
-        count = other.count;
-        isDark = other.isDark;
+        isDark |= others.isDark;
     }
 
     void add(int number) {

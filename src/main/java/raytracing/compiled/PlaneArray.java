@@ -1,6 +1,5 @@
 package raytracing.compiled;
 
-import java.util.List;
 import raytracing.geometry.Plane;
 import raytracing.geometry.PlaneKernel;
 
@@ -12,15 +11,15 @@ final class PlaneArray {
     private final double[] offset;
     private final int[] number;
 
-    PlaneArray(List<Plane> planes, int[] numbers) {
-        int count = planes.size();
+    PlaneArray(Plane[] planes, int[] numbers) {
+        int count = planes.length;
         x = new double[count];
         y = new double[count];
         z = new double[count];
         offset = new double[count];
         number = numbers;
         for (int i = 0; i < count; i++) {
-            Plane plane = planes.get(i);
+            Plane plane = planes[i];
             x[i] = plane.normal().x();
             y[i] = plane.normal().y();
             z[i] = plane.normal().z();
@@ -29,13 +28,13 @@ final class PlaneArray {
     }
 
     /** Offers the crossing of a ray with every plane but the one it leaves. */
-    void offerCrossings(RayWalk ray, Nearest nearest) {
+    void offerCrossings(RayWalk ray, Crossings crossings) {
         double[] u = ray.order.first(x, y, z);
         double[] v = ray.order.first(y, z, x);
         double[] w = ray.order.first(z, x, y);
         for (int i = 0; i < number.length; i++) {
             if (number[i] != ray.surfaceLeft) {
-                nearest.offer(PlaneKernel.firstCrossing(ray.ou, ray.ov, ray.ow, ray.du, ray.dv, ray.dw, ray.originError,
+                crossings.offer(PlaneKernel.firstCrossing(ray.ou, ray.ov, ray.ow, ray.du, ray.dv, ray.dw, ray.originError,
                     u[i], v[i], w[i], offset[i]), number[i]);
             }
         }

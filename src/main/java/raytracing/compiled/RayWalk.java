@@ -35,9 +35,10 @@ public final class RayWalk {
 
     private final CompiledScene scene;
     private final HierarchyWalk hierarchyWalk = new HierarchyWalk();
-    private final Nearest nearest = new Nearest();
+    private final Crossings crossings = new Crossings();
     private final HitPoint point = new HitPoint();
     private Departure departure;
+    private boolean isStarted;
     private Surface surface;
 
     /**
@@ -90,7 +91,7 @@ public final class RayWalk {
         du = order.first(dx, dy, dz);
         dv = order.first(dy, dz, dx);
         dw = order.first(dz, dx, dy);
-        nearest.restart();
+        isStarted = false;
     }
 
     /**
@@ -99,19 +100,38 @@ public final class RayWalk {
      * @return false if the ray meets no further one
      */
     public boolean advance() {
-        if (!nearest.isMiss()) {
-            nearest.restartAfter(nearest.distance(), nearest.surface());
+        if (!isStarted) {
+            isStarted = true;
+            crossings.findNearest();
+        } else if (scene.hasHierarchy()) {
+            crossings.findNearestAfterThis();
+        } else if (!crossings.keepsAll()) {
+            crossings.findFurther();
         }
-        scene.offerCrossings(this, hierarchyWalk, nearest);
-        if (departure == Departure.INWARD) {
-            nearest.offer(scene.surface(surfaceLeft).farWall(ox, oy, oz, dx, dy, dz), surfaceLeft);
+        if (crossings.isAsked()) {
+            ask();
+            crossings.answer();
         }
-        if (nearest.isMiss()) {
+        if (crossings.keepsAll()) {
+            crossings.advance();
+        }
+        if (crossings.isMiss()) {
             return false;
         }
-        surface = scene.surface(nearest.surface());
-        surface.describe(ox, oy, oz, dx, dy, dz, nearest.distance(), point);
+        surface = scene.surface(crossings.surface());
+        surface.describe(ox, oy, oz, dx, dy, dz, crossings.distance(), point);
         return true;
+    }
+
+    /**
+     * Few surfaces are asked once for their first crossing of all; if the walk goes on, once more for all their crossings. Many
+     * are asked for one crossing at a time, as most of them lie behind the next.
+     */
+    private void ask() {
+        scene.offerCrossings(this, hierarchyWalk, crossings);
+        if (departure == Departure.INWARD) {
+            crossings.offer(scene.surface(surfaceLeft).farWall(ox, oy, oz, dx, dy, dz), surfaceLeft);
+        }
     }
 
     /**
@@ -120,7 +140,7 @@ public final class RayWalk {
      * @return its number, counted from 0 in the order of the scene
      */
     public int surface() {
-        return nearest.surface();
+        return crossings.surface();
     }
 
     /**
@@ -183,6 +203,6 @@ public final class RayWalk {
      * @return the hit
      */
     public Hit hit() {
-        return point.toHit(surface(), material(), nearest.distance());
+        return point.toHit(surface(), material(), crossings.distance());
     }
 }

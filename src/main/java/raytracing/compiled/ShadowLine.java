@@ -10,6 +10,8 @@ import raytracing.geometry.HitPoint;
  * <p>One thread, line after line.
  */
 public final class ShadowLine {
+    private static final int NONE = Integer.MAX_VALUE;
+
     double px;
     double py;
     double pz;
@@ -23,8 +25,12 @@ public final class ShadowLine {
     double dz;
     int surfaceLeft;
 
+    /** Entries of the opaque surfaces that stopped light last: many lines in turn are stopped by the same. */
+    int lastSphere = NONE;
+    int lastBox = NONE;
+
     final CrossedSurfaces crossed;
-    final HierarchyWalk hierarchyWalk = new HierarchyWalk();
+    private final HierarchyWalk hierarchyWalk = new HierarchyWalk();
     private final CompiledScene scene;
 
     /**
@@ -62,7 +68,7 @@ public final class ShadowLine {
         dz = qz - pz;
         surfaceLeft = surface;
         crossed.clear();
-        scene.addCrossed(this);
+        scene.addCrossed(this, hierarchyWalk);
         if (!crossed.isDark() && scene.isOwnBodyCrossed(hit, surface, qx, qy, qz, endError)) {
             crossed.add(surface);
         }

@@ -3,6 +3,7 @@ package raytracing.compiled;
 import raytracing.geometry.Departure;
 import raytracing.geometry.HitPoint;
 import raytracing.math.Basis;
+import raytracing.math.CounterRandom;
 
 /**
  * All lines along which light may come to a hit from a square that faces it: a pyramid, the shaft (Haines, Wallace, Shaft
@@ -62,13 +63,17 @@ public final class ShadowShaft {
     final SphereObstacles spheres;
     final PlaneObstacles planes;
     final BoxObstacles boxes;
-    final HierarchyWalk hierarchyWalk = new HierarchyWalk();
 
     private final CompiledScene scene;
     private final ShadowLine line;
+    private final PyramidWalk pyramidWalk = new PyramidWalk();
     private final Basis square = new Basis();
     private HitPoint hit;
     private boolean asksLines;
+
+    /** Among many surfaces, the shaft next to a dark one is mostly dark too, which lines find out sooner. */
+    private boolean wasDark;
+    private double settledTransmittance;
     private boolean ownBodyIsObstacle;
     private double sampleX;
     private double sampleY;
@@ -103,14 +108,6 @@ public final class ShadowShaft {
     public void aim(HitPoint from, int surface, double lightX, double lightY, double lightZ, double error, double width) {
         hit = from;
         surfaceLeft = surface;
-        endError = error;
-        halfWidth = width / 2;
-        turnSquare(lightX, lightY, lightZ);
-        measure();
-        sort();
-    }
-
-    private void turnSquare(double lightX, double lightY, double lightZ) {
         px = hit.x();
         py = hit.y();
         pz = hit.z();
@@ -118,6 +115,8 @@ public final class ShadowShaft {
         lx = lightX;
         ly = lightY;
         lz = lightZ;
+        endError = error;
+        halfWidth = width / 2;
         tx = lx - px;
         ty = ly - py;
         tz = lz - pz;
@@ -131,45 +130,52 @@ public final class ShadowShaft {
         nx = square.wx();
         ny = square.wy();
         nz = square.wz();
-    }
-
-    /** Works out what all surfaces are compared with. */
-    private void measure() {
         depth = tx * nx + ty * ny + tz * nz;
-        reach = Math.abs(px) + Math.abs(py) + Math.abs(pz) + Math.abs(lx) + Math.abs(ly) + Math.abs(lz) + 2 * halfWidth;
+        reach = Math.abs(px) + Math.abs(py) + Math.abs(pz) + Math.abs(lx) + Math.abs(ly) + Math.abs(lz) + width;
         margin = 8 * (pointError + endError) + ROUNDING * (depth + halfWidth);
         slant = Math.sqrt(depth * depth + halfWidth * halfWidth);
         cornerDistance = Math.sqrt(depth * depth + 2 * halfWidth * halfWidth);
         extentX = halfWidth * (Math.abs(ux) + Math.abs(vx));
         extentY = halfWidth * (Math.abs(uy) + Math.abs(vy));
         extentZ = halfWidth * (Math.abs(uz) + Math.abs(vz));
-        ownBodyIsObstacle = !scene.isPlane(surfaceLeft) && !isWhollySeenFromOutside();
-    }
-
-    /** Whether the whole square is above the horizon of a hit that was seen from outside its body. */
-    private boolean isWhollySeenFromOutside() {
-        double height = hit.alongNormal(tx, ty, tz);
-        double spread = halfWidth * (Math.abs(hit.alongNormal(ux, uy, uz)) + Math.abs(hit.alongNormal(vx, vy, vz)));
-        return hit.side() == Departure.OUTWARD && height - spread > margin;
+        sort();
     }
 
     private void sort() {
         certain.clear();
+        sortOwnBody();
         spheres.clear();
         planes.clear();
         boxes.clear();
-        asksLines = !scene.uses(Shortcut.SHADOW_SHAFTS);
+        asksLines = !scene.uses(Shortcut.SHADOW_SHAFTS) || wasDark && scene.hasHierarchy();
         if (!asksLines) {
-            scene.addTouched(this);
+            scene.addTouched(this, pyramidWalk);
+            wasDark = certain.isDark();
+            asksLines = !wasDark && !isWorthSorting();
+        }
+        settledTransmittance = certain.transmittance();
+    }
+
+    /**
+     * The surface of the hit. Where the whole square is above the horizon, all lines leave a body that is seen from
+     * outside, and all go through one that is seen from inside and far from the light.
+     */
+    private void sortOwnBody() {
+        double height = hit.alongNormal(tx, ty, tz);
+        double spread = halfWidth * (Math.abs(hit.alongNormal(ux, uy, uz)) + Math.abs(hit.alongNormal(vx, vy, vz)));
+        boolean isWhollySeen = height - spread > margin;
+        boolean isSeenFromInside = hit.side() == Departure.INWARD;
+        ownBodyIsObstacle = !scene.isPlane(surfaceLeft) && !(isWhollySeen && !isSeenFromInside);
+        if (ownBodyIsObstacle && isWhollySeen
+                && scene.surface(surfaceLeft).isApartFrom(lx, ly, lz, 2 * halfWidth + margin)) {
+            ownBodyIsObstacle = false;
+            certain.add(surfaceLeft);
         }
     }
 
-    /** Gives up sorting if that costs more than it saves. */
-    boolean hasTooManyObstacles() {
-        if (spheres.count() + boxes.count() > MOST_OBSTACLES) {
-            asksLines = true;
-        }
-        return asksLines;
+    /** Whether surfaces should still be sorted: there is light left, and not so many obstacles that lines are as good. */
+    boolean isWorthSorting() {
+        return !certain.isDark() && spheres.count() + boxes.count() <= MOST_OBSTACLES;
     }
 
     /** Whether a box of these half extents, margin included, with its centre (fx, fy, fz) from the hit is beside the shaft. */
@@ -200,7 +206,7 @@ public final class ShadowShaft {
     }
 
     /**
-     * Whether all lines of the shaft cross the same surfaces.
+     * Whether all lines of the shaft cross the same surfaces, or all of them an opaque one.
      *
      * @return true if {@link #settledTransmittance} is that of every line
      */
@@ -215,7 +221,31 @@ public final class ShadowShaft {
      * @return product of the crossed surfaces' transmittances, in [0, 1]
      */
     public double settledTransmittance() {
-        return certain.transmittance();
+        return settledTransmittance;
+    }
+
+    /**
+     * Sums how much light comes through along one line to each cell of the square, divided in root x root cells. Each line
+     * goes to a random point of its cell.
+     *
+     * @param root number of cells along an edge, at least 1
+     * @param key of the random numbers
+     * @return sum of the transmittances of root x root lines, each in [0, 1]
+     */
+    public double sumOverCells(int root, long key) {
+        double cell = 2 * halfWidth / root;
+        double halfRoot = root / 2.0;
+        double sum = 0;
+        for (int row = 0; row < root; row++) {
+            for (int column = 0; column < root; column++) {
+                long bits = CounterRandom.bits(key, (long) row * root + column);
+                double x = (column + CounterRandom.upperFraction(bits) - halfRoot) * cell;
+                double y = (row + CounterRandom.lowerFraction(bits) - halfRoot) * cell;
+                sum += transmittance(x, y);
+            }
+        }
+        wasDark = sum == 0;
+        return sum;
     }
 
     /**
@@ -225,19 +255,31 @@ public final class ShadowShaft {
      * @param y the same along the second axis
      * @return product of the crossed surfaces' transmittances, in [0, 1]
      */
-    public double transmittance(double x, double y) {
+    double transmittance(double x, double y) {
         sampleX = x;
         sampleY = y;
         if (asksLines) {
             return line.transmittance(hit, surfaceLeft, endX(), endY(), endZ(), endError);
         }
-        crossed.copy(certain);
-        spheres.addCrossed(this, x, y);
-        planes.addCrossed(this, x, y);
-        boxes.addCrossed(this);
+        crossed.clear();
+        if (spheres.count() > 0) {
+            spheres.addCrossed(this, x, y);
+        }
+        if (planes.count() > 0) {
+            planes.addCrossed(this, x, y);
+        }
+        if (boxes.count() > 0) {
+            boxes.addCrossed(this);
+        }
         if (ownBodyIsObstacle && !crossed.isDark()
                 && scene.isOwnBodyCrossed(hit, surfaceLeft, endX(), endY(), endZ(), endError)) {
             crossed.add(surfaceLeft);
+        }
+        if (crossed.isEmpty()) {
+            return settledTransmittance;
+        }
+        if (!crossed.isDark()) {
+            crossed.addAll(certain);
         }
         return crossed.transmittance();
     }

@@ -1,8 +1,9 @@
 package raytracing.compiled;
 
-import java.util.List;
+import java.util.Optional;
 import raytracing.geometry.Sphere;
 import raytracing.geometry.SphereKernel;
+import raytracing.math.Vector;
 
 /** All spheres of a scene, flat. Entry i of every array belongs to the same sphere. */
 final class SphereArray {
@@ -11,34 +12,89 @@ final class SphereArray {
     private final double[] z;
     private final double[] radius;
     private final int[] number;
+    private final Optional<Hierarchy> hierarchy;
 
-    SphereArray(List<Sphere> spheres, int[] numbers) {
-        int count = spheres.size();
+    /** In the order of the hierarchy, if there is one: so each of its leaves is a row of entries. */
+    SphereArray(Sphere[] spheres, int[] numbers, Optional<Hierarchy> hierarchy) {
+        int count = spheres.length;
+        this.hierarchy = hierarchy;
         x = new double[count];
         y = new double[count];
         z = new double[count];
         radius = new double[count];
-        number = numbers;
+        number = new int[count];
         for (int i = 0; i < count; i++) {
-            Sphere sphere = spheres.get(i);
+            int listed = hierarchy.isPresent() ? hierarchy.get().order()[i] : i;
+            Sphere sphere = spheres[listed];
             x[i] = sphere.centre().x();
             y[i] = sphere.centre().y();
             z[i] = sphere.centre().z();
             radius[i] = sphere.radius();
+            number[i] = numbers[listed];
         }
     }
 
-    int count() {
-        return number.length;
+    /** Boxes around spheres. */
+    static Bounds bounds(Sphere[] spheres) {
+        Bounds bounds = new Bounds(spheres.length);
+        for (int i = 0; i < spheres.length; i++) {
+            Vector centre = spheres[i].centre();
+            bounds.setAround(i, centre.x(), centre.y(), centre.z(), spheres[i].radius());
+        }
+        return bounds;
     }
 
-    /** Number of a sphere in the scene. */
-    int number(int i) {
-        return number[i];
+    boolean hasHierarchy() {
+        return hierarchy.isPresent();
+    }
+
+    /** Offers the first crossing of a ray with every sphere, but for the one it leaves. */
+    void offerCrossings(RayWalk ray, HierarchyWalk walk, Crossings crossings) {
+        if (hierarchy.isEmpty()) {
+            offerCrossings(ray, 0, number.length, crossings);
+            return;
+        }
+        walk.startRay(hierarchy.get(), ray.ox, ray.oy, ray.oz, ray.originError, ray.dx, ray.dy, ray.dz);
+        while (walk.nextLeaf(crossings.distance())) {
+            offerCrossings(ray, walk.from(), walk.to(), crossings);
+        }
+    }
+
+    /** Adds all spheres that a line crosses, but for the one it leaves; may stop when no light is left. */
+    void addCrossed(ShadowLine line, HierarchyWalk walk) {
+        if (hierarchy.isEmpty()) {
+            addCrossed(line, 0, number.length);
+            return;
+        }
+        int last = line.lastSphere;
+        if (last < number.length) {
+            addCrossed(line, last, last + 1);
+        }
+        if (line.crossed.isDark()) {
+            return;
+        }
+        walk.startRay(hierarchy.get(), line.px, line.py, line.pz, Math.max(line.pointError, line.endError),
+            line.dx, line.dy, line.dz);
+        while (!line.crossed.isDark() && walk.nextLeaf(1)) {
+            addCrossed(line, walk.from(), walk.to());
+        }
+    }
+
+    /** Adds all spheres that lines of a shaft may cross, but for the one they leave, while it is worth sorting. */
+    void addTouched(ShadowShaft shaft, PyramidWalk walk) {
+        if (hierarchy.isEmpty()) {
+            addTouched(shaft, 0, number.length);
+            return;
+        }
+        walk.startPyramid(hierarchy.get(), shaft.px, shaft.py, shaft.pz, shaft.nx, shaft.ny, shaft.nz,
+            shaft.ux, shaft.uy, shaft.uz, shaft.vx, shaft.vy, shaft.vz, shaft.depth, shaft.halfWidth, shaft.margin);
+        while (shaft.isWorthSorting() && walk.nextLeaf()) {
+            addTouched(shaft, walk.from(), walk.to());
+        }
     }
 
     /** Offers the first crossing of a ray with every sphere from one entry up to another, but for the one it leaves. */
-    void offerCrossings(RayWalk ray, int from, int to, Nearest nearest) {
+    private void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
         double[] u = ray.order.first(x, y, z);
         double[] v = ray.order.first(y, z, x);
         double[] w = ray.order.first(z, x, y);
@@ -51,14 +107,14 @@ final class SphereArray {
         for (int i = from; i < to; i++) {
             if (number[i] != ray.surfaceLeft
                     && !SphereKernel.isPlainlyMissed(ou, ov, ow, du, dv, dw, u[i], v[i], w[i], radius[i])) {
-                nearest.offer(SphereKernel.firstCrossing(ou, ov, ow, du, dv, dw, ray.originError,
+                crossings.offer(SphereKernel.firstCrossing(ou, ov, ow, du, dv, dw, ray.originError,
                     u[i], v[i], w[i], radius[i]), number[i]);
             }
         }
     }
 
     /** Adds those spheres from one entry up to another that a line crosses, but for the one it leaves. */
-    void addCrossed(ShadowLine line, int from, int to) {
+    private void addCrossed(ShadowLine line, int from, int to) {
         double px = line.px;
         double py = line.py;
         double pz = line.pz;
@@ -71,28 +127,37 @@ final class SphereArray {
                     && SphereKernel.crossesBetween(px, py, pz, line.pointError, line.qx, line.qy, line.qz, line.endError,
                     x[i], y[i], z[i], radius[i])) {
                 line.crossed.add(number[i]);
+                line.lastSphere = line.crossed.isDark() ? i : line.lastSphere;
             }
         }
     }
 
     /** Adds those spheres from one entry up to another that lines of a shaft may cross, but for the one they leave. */
-    void addTouched(ShadowShaft shaft, int from, int to) {
+    private void addTouched(ShadowShaft shaft, int from, int to) {
         double px = shaft.px;
         double py = shaft.py;
         double pz = shaft.pz;
         double nx = shaft.nx;
         double ny = shaft.ny;
         double nz = shaft.nz;
+        double depth = shaft.depth;
+        double halfWidth = shaft.halfWidth;
         for (int i = from; i < to && !shaft.certain.isDark(); i++) {
             double fx = x[i] - px;
             double fy = y[i] - py;
             double fz = z[i] - pz;
-            double along = fx * nx + fy * ny + fz * nz;
+            double mz = fx * nx + fy * ny + fz * nz;
             double size = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + radius[i];
             double slack = shaft.margin + ShadowShaft.ROUNDING * size;
             double grown = radius[i] + slack;
-            if (along + grown >= 0 && along - grown <= shaft.depth && number[i] != shaft.surfaceLeft) {
-                shaft.spheres.consider(shaft, number[i], i, fx, fy, fz, along, radius[i], slack);
+            if (mz + grown < 0 || mz - grown > depth || number[i] == shaft.surfaceLeft) {
+                continue;                    // before or behind the shaft
+            }
+            double mx = fx * shaft.ux + fy * shaft.uy + fz * shaft.uz;
+            double my = fx * shaft.vx + fy * shaft.vy + fz * shaft.vz;
+            double wall = halfWidth * mz + grown * shaft.slant;
+            if (Math.abs(mx) * depth <= wall && Math.abs(my) * depth <= wall) {
+                shaft.spheres.consider(shaft, number[i], i, mx, my, mz, radius[i], slack);
             }
         }
     }

@@ -37,22 +37,14 @@ final class SphereObstacles {
     /**
      * Finds out what a sphere is to a shaft that it may touch.
      *
-     * @param fx way from the point to the centre, world axes, x part
-     * @param fy y part
-     * @param fz z part
-     * @param mz the same along the shaft's axis
+     * @param mx way from the point to the centre, in the shaft's coordinates, x part
+     * @param my y part
+     * @param mz z part
      * @param r radius
      * @param slack by how much the sphere may be larger or smaller, rounding of all sides included
      */
-    void consider(ShadowShaft shaft, int surface, int i, double fx, double fy, double fz, double mz,
-                  double r, double slack) {
-        double mx = fx * shaft.ux + fy * shaft.uy + fz * shaft.uz;
-        double my = fx * shaft.vx + fy * shaft.vy + fz * shaft.vz;
+    void consider(ShadowShaft shaft, int surface, int i, double mx, double my, double mz, double r, double slack) {
         double grown = r + slack;
-        double wall = shaft.halfWidth * mz + grown * shaft.slant;
-        if (Math.abs(mx) * shaft.depth > wall || Math.abs(my) * shaft.depth > wall) {
-            return;                          // beside the shaft
-        }
         double squaredDistance = mx * mx + my * my + mz * mz;
         boolean isApart = squaredDistance > grown * grown && mz + grown < shaft.depth;
         double power = squaredDistance - r * r;

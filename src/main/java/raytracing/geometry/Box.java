@@ -10,6 +10,9 @@ import raytracing.math.Vector;
  * @param material number of its material, from 0
  */
 public record Box(Vector centre, double edge, int material) implements Surface {
+    /** Far above the 2 ulp of a distance along an axis. */
+    private static final double ROUNDING = 0x1p-48;
+
     private static final int X_ENTRY = 0;
     private static final int Y_ENTRY = 1;
     private static final int Z_ENTRY = 2;
@@ -49,6 +52,12 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     @Override
     public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
         return BoxKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), edge / 2);
+    }
+
+    @Override
+    public boolean isApartFrom(double x, double y, double z, double r) {
+        double furthest = Vector.largestPart(x - centre.x(), y - centre.y(), z - centre.z());
+        return furthest > (1 + ROUNDING) * (edge / 2 + r);
     }
 
     /** The point is on the face to the last bit, and within its edges. */

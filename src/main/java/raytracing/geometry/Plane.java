@@ -46,6 +46,11 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
         return false;
     }
 
+    @Override
+    public boolean isApartFrom(double x, double y, double z, double r) {
+        return false;
+    }
+
     /** The point along the ray, dropped onto the plane: from far away, rounding leaves it beside. */
     @Override
     public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,

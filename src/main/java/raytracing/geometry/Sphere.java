@@ -11,6 +11,9 @@ import raytracing.math.Vector;
  * @param material number of its material, from 0
  */
 public record Sphere(Vector centre, double radius, int material) implements Surface {
+    /** Far above the 4 ulp of a distance. */
+    private static final double ROUNDING = 0x1p-48;
+
     @Override
     public double firstCrossing(Ray ray, Departure departure) {
         return switch (departure) {
@@ -50,6 +53,11 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     @Override
     public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
         return SphereKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), radius);
+    }
+
+    @Override
+    public boolean isApartFrom(double x, double y, double z, double r) {
+        return Vector.length(x - centre.x(), y - centre.y(), z - centre.z()) > (1 + ROUNDING) * (radius + r);
     }
 
     /**

@@ -60,6 +60,17 @@ public sealed interface Surface permits Sphere, Plane, Box {
     boolean isLeftBefore(double qx, double qy, double qz, double endError);
 
     /**
+     * Whether a ball is certainly outside this surface's body.
+     *
+     * @param x middle of the ball, x part
+     * @param y y part
+     * @param z z part
+     * @param r its radius, at least 0
+     * @return false if it touches the body, or rounding leaves it open; of a plane, always
+     */
+    boolean isApartFrom(double x, double y, double z, double r);
+
+    /**
      * Everything about a crossing that shading wants to know. The point is at origin + distance direction or nearer to the
      * surface than that.
      *

@@ -1,11 +1,13 @@
 package raytracing.render;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
 import raytracing.compiled.PixelRays;
+import raytracing.compiled.Shortcut;
 import raytracing.film.Film;
 import raytracing.math.CounterRandom;
 import raytracing.scene.Scene;
@@ -32,7 +34,8 @@ public final class Renderer {
         this.scene = scene;
         this.settings = settings;
         pixelRays = new PixelRays(scene.camera(), settings.width(), settings.height());
-        compiled = new CompiledScene(scene, settings.shadowMode());
+        compiled = new CompiledScene(scene, settings.shadowMode(), EnumSet.allOf(Shortcut.class),
+            new ThreadWorkers(settings.threads()));
     }
 
     /**
@@ -72,12 +75,16 @@ public final class Renderer {
             helpers.add(helper);
         }
         workers.get(0).run();
-        helpers.forEach(Renderer::waitFor);
-        workers.forEach(Worker::rethrow);
+        for (Thread helper : helpers) {
+            waitFor(helper);
+        }
+        for (Worker worker : workers) {
+            worker.rethrow();
+        }
         return film;
     }
 
-    private static void waitFor(Thread thread) {
+    static void waitFor(Thread thread) {
         boolean interrupted = false;
         while (thread.isAlive()) {
             try {

@@ -11,13 +11,10 @@ import raytracing.geometry.HitPoint;
  * 7:6, 1964).
  *
  * <p>In a hall of transparent mirrors every ray splits at every wall, and following all of them would take time that
- * grows exponentially with the recursion limit. So the number of those that are followed is limited; as the heaviest go
- * first, what is left out is what weighs least.
+ * grows exponentially with the recursion limit. So the work for a pixel is limited; as the heaviest rays go first,
+ * what is left out is what weighs least.
  */
 final class Branches {
-    /** Mirrored rays that one pixel may follow. Ordinary scenes need about as many as their recursion limit. */
-    static final int MOST_FOLLOWED = 1000;
-
     /** Numbers of one ray: origin, its error, direction, weight. */
     private static final int STRIDE = 10;
 
@@ -30,14 +27,12 @@ final class Branches {
     private int[] heap = new int[8];
     private int waiting;
     private int added;
-    private int followed;
     private int taken;
 
     /** For a new pixel. */
     void clear() {
         waiting = 0;
         added = 0;
-        followed = 0;
     }
 
     /**
@@ -86,31 +81,17 @@ final class Branches {
         heap = Arrays.copyOf(heap, 2 * added);
     }
 
-    /** Takes the heaviest ray, while the limit allows. */
+    /** Takes the heaviest ray; false if none is left. */
     boolean next() {
-        if (waiting == 0 || followed == MOST_FOLLOWED) {
-            return false;
-        }
-        followed++;
-        take();
-        return true;
-    }
-
-    /** After the last {@link #next}: takes what the limit left out, one ray after the other. */
-    boolean nextLeftOut() {
         if (waiting == 0) {
             return false;
         }
-        take();
-        return true;
-    }
-
-    private void take() {
         taken = heap[0];
         int last = heap[--waiting];
         if (waiting > 0) {
             sink(last);
         }
+        return true;
     }
 
     /** Of equal weights the older ray goes first, so that the picture depends on no chance. */

@@ -1,6 +1,5 @@
 package raytracing.shade;
 
-import java.util.List;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
 import raytracing.compiled.PixelRays;
@@ -32,14 +31,22 @@ public final class Shader {
      */
     static final double NEGLIGIBLE_WEIGHT = 0x1p-12;
 
+    /**
+     * Surfaces that the rays of one pixel may meet before those that still wait are left out. Ten times as many as the
+     * deepest scene that we know needs (a nest of transparent balls, 373; {@code scenes/bubbles.txt}, 97), and few enough
+     * that a pixel never takes longer than about a millisecond without lights.
+     */
+    static final int MOST_SURFACES = 1 << 12;
+
     /** Four times the rounding of a plane's unit normal. */
     private static final double NORMAL_ERROR = 0x1p-49;
 
     /** Counter of the key for a surface's mirrored ray; its lights use the counters from 0 on. */
     private static final long MIRROR = -1;
 
-    private final List<Material> materials;
-    private final List<Light> lights;
+    private final Material[] materials;
+    private final Light[] lights;
+    private final double[] lightErrors;
     private final Color background;
     private final int maxReflections;
     private final double negligibleWeight;
@@ -50,6 +57,7 @@ public final class Shader {
     private final LightSum direct = new LightSum();
     private final Weight weight = new Weight();
     private final Weight mirrorWeight = new Weight();
+    private int surfacesMet;
     private double mirroredX;
     private double mirroredY;
     private double mirroredZ;
@@ -67,12 +75,16 @@ public final class Shader {
     /** With another weight below which light is not followed: 0 follows all of it. */
     Shader(Scene scene, CompiledScene compiled, double negligibleWeight) {
         this.negligibleWeight = negligibleWeight;
-        materials = scene.materials();
-        lights = scene.lights();
+        materials = scene.materials().toArray(new Material[0]);
+        lights = scene.lights().toArray(new Light[0]);
+        lightErrors = new double[lights.length];
+        for (int i = 0; i < lights.length; i++) {
+            lightErrors[i] = PointError.written(lights[i].position());
+        }
         background = scene.settings().background();
         maxReflections = scene.settings().maxReflections();
         walk = new RayWalk(compiled);
-        shadows = new SoftShadows(compiled, scene.settings().shadowRayRoot());
+        shadows = new SoftShadows(compiled, scene.settings().shadowRayRoot(), lights.length);
     }
 
     /**
@@ -108,14 +120,22 @@ public final class Shader {
 
     private void followAll(long key) {
         branches.clear();
+        surfacesMet = 0;
         weight.set(1, 1, 1);
-        follow(0, key);
-        while (branches.next()) {
-            branches.start(walk);
-            branches.weigh(weight);
-            follow(branches.reflections(), branches.key());
+        int reflections = 0;
+        long rayKey = key;
+        boolean goesOn = true;
+        while (goesOn) {
+            follow(reflections, rayKey);
+            goesOn = surfacesMet < MOST_SURFACES && branches.next();
+            if (goesOn) {
+                branches.start(walk);
+                branches.weigh(weight);
+                reflections = branches.reflections();
+                rayKey = branches.key();
+            }
         }
-        while (branches.nextLeftOut()) {
+        while (branches.next()) {
             branches.weigh(weight);
             pixel.add(1, weight, background);
         }
@@ -123,12 +143,26 @@ public final class Shader {
 
     /** What one straight ray adds to the pixel: the surfaces along it up to the first opaque one, then the background. */
     private void follow(int reflections, long key) {
+        HitPoint hit = walk.point();
+        double dx = walk.directionX();
+        double dy = walk.directionY();
+        double dz = walk.directionZ();
         int passed = 0;
         while (walk.advance()) {
-            Material material = materials.get(walk.material());
+            surfacesMet++;
+            Material material = materials[walk.material()];
             double transparency = material.transparency();
             long hitKey = CounterRandom.bits(key, passed++);
-            mirror();
+            // the unit direction in which a mirror sends on what comes along the ray
+            double twice = -2 * (dx * hit.normalX() + dy * hit.normalY() + dz * hit.normalZ());
+            double x = dx + twice * hit.normalX();
+            double y = dy + twice * hit.normalY();
+            double z = dz + twice * hit.normalZ();
+            double scale = Vector.safeScale(x, y, z);
+            double factor = Vector.unitFactor(scale * x, scale * y, scale * z);
+            mirroredX = scale * x * factor;
+            mirroredY = scale * y * factor;
+            mirroredZ = scale * z * factor;
             if (transparency < 1) {
                 addDirectLight(material, hitKey);
                 pixel.add(1 - transparency, weight, direct);
@@ -157,56 +191,45 @@ public final class Shader {
         }
     }
 
-    /** Finds the unit direction in which a mirror at the hit sends on what comes along the walk's ray. */
-    private void mirror() {
-        HitPoint hit = walk.point();
-        double twice = -2 * (walk.directionX() * hit.normalX() + walk.directionY() * hit.normalY()
-            + walk.directionZ() * hit.normalZ());
-        double x = walk.directionX() + twice * hit.normalX();
-        double y = walk.directionY() + twice * hit.normalY();
-        double z = walk.directionZ() + twice * hit.normalZ();
-        double scale = Vector.safeScale(x, y, z);
-        double factor = Vector.unitFactor(scale * x, scale * y, scale * z);
-        mirroredX = scale * x * factor;
-        mirroredY = scale * y * factor;
-        mirroredZ = scale * z * factor;
-    }
-
     /**
      * Sums diffuse and specular light of all lamps that reach this side of the surface: the sum of
      * share * light * (Kd (N.L) + Ks intensity max(0, R.V)^n) over the lights that the surface faces.
+     *
+     * <p>A light no higher above a surface than the errors of both points along a unit normal, and that of the normal
+     * itself, is in the surface, as far as doubles know, and does not shine on it.
      */
     private void addDirectLight(Material material, long hitKey) {
         direct.clear();
-        for (int i = 0; i < lights.size(); i++) {
-            addLight(lights.get(i), material, CounterRandom.bits(hitKey, i));
-        }
-    }
-
-    private void addLight(Light light, Material material, long key) {
         HitPoint hit = walk.point();
-        double x = light.position().x() - hit.x();
-        double y = light.position().y() - hit.y();
-        double z = light.position().z() - hit.z();
-        double distance = Vector.length(x, y, z);
-        double height = hit.alongNormal(x, y, z);
-        if (!(height > heightError(hit, light, distance))) {         // this way round, also where the light itself is
-            return;
+        int surface = walk.surface();
+        double normalX = hit.normalX();
+        double normalY = hit.normalY();
+        double normalZ = hit.normalZ();
+        Color diffuse = material.diffuse();
+        Color specular = material.specular();
+        boolean isMatte = specular.isBlack();
+        for (int i = 0; i < lights.length; i++) {
+            Light light = lights[i];
+            double x = light.position().x() - hit.x();
+            double y = light.position().y() - hit.y();
+            double z = light.position().z() - hit.z();
+            double distance = Vector.length(x, y, z);
+            double height = normalX * x + normalY * y + normalZ * z;
+            double heightError = 2 * (hit.error() + lightErrors[i]) + NORMAL_ERROR * distance;
+            if (!(height > heightError)) {   // this way round, also where the light itself is
+                continue;
+            }
+            double highlight = 0;
+            if (!isMatte) {
+                double cosine = (mirroredX * x + mirroredY * y + mirroredZ * z) / distance;
+                highlight = Phong.highlight(light.specularIntensity(), cosine, material.phongExponent());
+            }
+            if (highlight > 0 || !diffuse.isBlack()) {
+                double share = shadows.arrivingShare(hit, surface, light, i, lightErrors[i],
+                    CounterRandom.bits(hitKey, i));
+                direct.add(share * (height / distance), diffuse, light.color());
+                direct.add(share * highlight, specular, light.color());
+            }
         }
-        double facing = height / distance;
-        double highlight = Phong.highlight(material, light, (mirroredX * x + mirroredY * y + mirroredZ * z) / distance);
-        if (highlight > 0 || !material.diffuse().isBlack()) {
-            double share = shadows.arrivingShare(hit, walk.surface(), light, key);
-            direct.add(share * facing, material.diffuse(), light.color());
-            direct.add(share * highlight, material.specular(), light.color());
-        }
-    }
-
-    /**
-     * A light no higher above a surface than this is in it, as far as doubles know, and does not shine on it: the errors
-     * of both points along a unit normal, and that of the normal itself.
-     */
-    private static double heightError(HitPoint hit, Light light, double distance) {
-        return 2 * (hit.error() + PointError.written(light.position())) + NORMAL_ERROR * distance;
     }
 }

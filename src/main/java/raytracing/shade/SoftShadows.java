@@ -4,8 +4,6 @@ import raytracing.compiled.CompiledScene;
 import raytracing.compiled.ShadowLine;
 import raytracing.compiled.ShadowShaft;
 import raytracing.geometry.HitPoint;
-import raytracing.geometry.PointError;
-import raytracing.math.CounterRandom;
 import raytracing.math.Vector;
 import raytracing.scene.Light;
 
@@ -15,14 +13,18 @@ import raytracing.scene.Light;
  */
 final class SoftShadows {
     private final int root;
-    private final ShadowLine line;
-    private final ShadowShaft shaft;
+    private final ShadowLine[] lines;
+    private final ShadowShaft[] shafts;
 
-    /** Shadow rays for a scene; {@code root} is N, at least 1. */
-    SoftShadows(CompiledScene scene, int root) {
+    /** Shadow rays for a scene; {@code root} is N, at least 1. Each light has its own: they remember what stopped it last. */
+    SoftShadows(CompiledScene scene, int root, int lightCount) {
         this.root = root;
-        line = new ShadowLine(scene);
-        shaft = new ShadowShaft(scene);
+        lines = new ShadowLine[lightCount];
+        shafts = new ShadowShaft[lightCount];
+        for (int i = 0; i < lightCount; i++) {
+            lines[i] = new ShadowLine(scene);
+            shafts[i] = new ShadowShaft(scene);
+        }
     }
 
     /**
@@ -32,25 +34,27 @@ final class SoftShadows {
      * @param hit the shaded point
      * @param surface number of the surface it is on
      * @param light the light, not at that point
+     * @param number of the light, counted from 0
+     * @param error how far each part of its position may be off
      * @param key of the random numbers that place the shadow rays in their cells
      * @return in [0, 1]
      */
-    double arrivingShare(HitPoint hit, int surface, Light light, long key) {
+    double arrivingShare(HitPoint hit, int surface, Light light, int number, double error, long key) {
         double s = light.shadowIntensity();
         if (s == 0) {
             return 1;
         }
-        return (1 - s) + s * meanTransmittance(hit, surface, light, key);
+        return (1 - s) + s * meanTransmittance(hit, surface, light, number, error, key);
     }
 
-    private double meanTransmittance(HitPoint hit, int surface, Light light, long key) {
+    private double meanTransmittance(HitPoint hit, int surface, Light light, int number, double error, long key) {
         Vector middle = light.position();
-        double error = PointError.written(middle);
         if (root == 1 || light.width() == 0) {
-            return line.transmittance(hit, surface, middle.x(), middle.y(), middle.z(), error);
+            return lines[number].transmittance(hit, surface, middle.x(), middle.y(), middle.z(), error);
         }
+        ShadowShaft shaft = shafts[number];
         shaft.aim(hit, surface, middle.x(), middle.y(), middle.z(), error, light.width());
-        double sum = shaft.isSettled() ? sumOfEqual(shaft.settledTransmittance()) : sum(light.width() / root, key);
+        double sum = shaft.isSettled() ? sumOfEqual(shaft.settledTransmittance()) : shaft.sumOverCells(root, key);
         return sum / ((double) root * root);
     }
 
@@ -62,20 +66,6 @@ final class SoftShadows {
         double sum = 0;
         for (int i = 0; i < root * root; i++) {
             sum += transmittance;
-        }
-        return sum;
-    }
-
-    private double sum(double cell, long key) {
-        double halfRoot = root / 2.0;
-        double sum = 0;
-        for (int row = 0; row < root; row++) {
-            for (int column = 0; column < root; column++) {
-                long bits = CounterRandom.bits(key, (long) row * root + column);
-                double alongU = (column + CounterRandom.upperFraction(bits) - halfRoot) * cell;
-                double alongV = (row + CounterRandom.lowerFraction(bits) - halfRoot) * cell;
-                sum += shaft.transmittance(alongU, alongV);
-            }
         }
         return sum;
     }

@@ -34,7 +34,8 @@ class ShadowShaftTest {
     private int partlyCovered;
 
     private static CompiledScene compiled(String surfaces, EnumSet<Shortcut> shortcuts) {
-        return new CompiledScene(SceneText.scene(HEAD + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, shortcuts);
+        return new CompiledScene(SceneText.scene(HEAD + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, shortcuts,
+            Workers.ALONE);
     }
 
     private static String crowd(SplittableRandom random, int size, int materials, double spread) {

@@ -1,0 +1,60 @@
+package raytracing.render;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import raytracing.compiled.Workers;
+
+/** Does two pieces of work at the same time while a thread is left to do it, and one after the other otherwise. */
+final class ThreadWorkers implements Workers {
+    private final AtomicInteger idle;
+
+    /** With so many threads at most, the calling one included. */
+    ThreadWorkers(int threads) {
+        idle = new AtomicInteger(threads - 1);
+    }
+
+    @Override
+    public void doBoth(Runnable first, Runnable second) {
+        if (idle.getAndDecrement() <= 0) {
+            idle.getAndIncrement();
+            first.run();
+            second.run();
+            return;
+        }
+        Helper helper = new Helper(second);
+        Thread thread = new Thread(helper, "workers");
+        thread.setDaemon(true);
+        thread.start();
+        first.run();
+        Renderer.waitFor(thread);
+        idle.getAndIncrement();
+        helper.rethrow();
+    }
+
+    /** Work whose failure is thrown where its end is awaited. */
+    private static final class Helper implements Runnable {
+        private final Runnable work;
+        private Throwable failure;
+
+        Helper(Runnable work) {
+            this.work = work;
+        }
+
+        @Override
+        public void run() {
+            try {
+                work.run();
+            } catch (RuntimeException | Error thrown) {
+                failure = thrown;
+            }
+        }
+
+        void rethrow() {
+            if (failure instanceof Error error) {
+                throw error;
+            }
+            if (failure instanceof RuntimeException exception) {
+                throw exception;
+            }
+        }
+    }
+}

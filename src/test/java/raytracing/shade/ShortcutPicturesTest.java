@@ -1,0 +1,62 @@
+package raytracing.shade;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import raytracing.RayTracer;
+import raytracing.compiled.CompiledScene;
+import raytracing.compiled.PixelRays;
+import raytracing.compiled.ShadowMode;
+import raytracing.compiled.Shortcut;
+import raytracing.compiled.Workers;
+import raytracing.scene.Scene;
+import raytracing.timed.Nest;
+import raytracing.timed.Sphereflake;
+
+/** Whole pictures with and without the shortcuts: the same light in every pixel, to the last bit. */
+class ShortcutPicturesTest {
+    private static final int SIZE = 48;
+    private static final Set<Shortcut> NONE = EnumSet.noneOf(Shortcut.class);
+
+    @ParameterizedTest
+    @MethodSource("raytracing.CommittedScenesTest#scenes")
+    void committedScenesAreTheSameWithoutShortcuts(Path file) throws Exception {
+        assertSamePictures(RayTracer.parseScene(file), NONE, SIZE);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Shortcut.class)
+    void theSphereflakeIsTheSameWithoutEachShortcut(Shortcut shortcut) {
+        assertSamePictures(Sphereflake.scene(3, 2), EnumSet.complementOf(EnumSet.of(shortcut)), SIZE);
+    }
+
+    @Test
+    void theNestIsTheSameWithoutShortcuts() {
+        assertSamePictures(Nest.scene(), NONE, 24);
+    }
+
+    private static void assertSamePictures(Scene scene, Set<Shortcut> some, int size) {
+        for (ShadowMode mode : ShadowMode.values()) {
+            Shader all = shader(scene, mode, EnumSet.allOf(Shortcut.class));
+            Shader fewer = shader(scene, mode, some);
+            PixelRays rays = new PixelRays(scene.camera(), size, size);
+            for (int y = 0; y < size; y++) {
+                for (int x = 0; x < size; x++) {
+                    long key = (long) y * size + x;
+                    assertEquals(fewer.light(rays, x + 0.5, y + 0.5, key).total(),
+                        all.light(rays, x + 0.5, y + 0.5, key).total(), "pixel " + x + ", " + y);
+                }
+            }
+        }
+    }
+
+    private static Shader shader(Scene scene, ShadowMode mode, Set<Shortcut> shortcuts) {
+        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE));
+    }
+}
