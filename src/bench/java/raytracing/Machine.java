@@ -36,6 +36,12 @@ final class Machine {
         return commit.isEmpty() ? "unknown" : commit + (changes.isEmpty() ? "" : " with changes");
     }
 
+    /** Year, month and day of the commit. */
+    static String commitDate() throws IOException {
+        String date = output("git", "log", "-1", "--format=%cs");
+        return date.isEmpty() ? "unknown" : date;
+    }
+
     private static String output(String... command) throws IOException {
         Process process = new ProcessBuilder(command).start();
         return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();

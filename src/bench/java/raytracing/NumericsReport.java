@@ -1,7 +1,6 @@
 package raytracing;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -14,8 +13,6 @@ import raytracing.numerics.Shape;
 /** Writes into NUMERICS.md what every crossing formula gets wrong, and what it costs: the same contenders in both. */
 public final class NumericsReport {
     private static final Path DOCUMENT = Path.of("src", "docs", "NUMERICS.md");
-    private static final String BEGIN = "<!-- measured: begin -->\n";
-    private static final String END = "<!-- measured: end -->\n";
     private static final int ROUNDS = 6;
     private static final int QUICK_ROUNDS = 1;
 
@@ -31,7 +28,7 @@ public final class NumericsReport {
         boolean quick = List.of(arguments).contains("quick");
         CrossingTimes times = CrossingTimes.measured(quick ? QUICK_ROUNDS : ROUNDS);
         String command = quick ? "gradle numerics -Pquick" : "gradle numerics";
-        replaceMeasuredPart(report(command, times));
+        MeasuredPart.replace(DOCUMENT, report(command, times));
     }
 
     private static String report(String command, CrossingTimes times) throws IOException {
@@ -58,16 +55,5 @@ public final class NumericsReport {
 
     private static String contender(Algorithm algorithm) {
         return "- " + algorithm.title() + ": " + algorithm.description() + "\n";
-    }
-
-    private static void replaceMeasuredPart(String measured) throws IOException {
-        String document = Files.readString(DOCUMENT);
-        int begin = document.indexOf(BEGIN);
-        int end = document.indexOf(END);
-        if (begin < 0 || end < begin) {
-            throw new IOException(DOCUMENT + " lacks the marks " + BEGIN + END);
-        }
-        Files.writeString(DOCUMENT, document.substring(0, begin + BEGIN.length()) + "\n" + measured + "\n"
-            + document.substring(end));
     }
 }

@@ -1,6 +1,7 @@
 package raytracing;
 
 import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
 
 /** How far a picture is from the one it should be, over all channels of all pixels, in steps of 1/255. */
 public final class PictureDifference {
@@ -33,6 +34,16 @@ public final class PictureDifference {
     /** Peak signal-to-noise ratio in decibels; infinite for equal pictures. */
     public double psnr() {
         return 10 * Math.log10(FULL * FULL * 3 * pixels / squares);
+    }
+
+    /** Root of the mean square of found minus expected, in steps. */
+    public double rootMeanSquare() {
+        return Math.sqrt(squares / (3.0 * pixels));
+    }
+
+    /** The most steps by which a channel of a pixel differs. */
+    public int largest() {
+        return IntStream.of(largestOfPixel).max().orElse(0);
     }
 
     /** Mean of found minus expected. */

@@ -17,6 +17,8 @@ class PictureDifferenceTest {
         PictureDifference none = new PictureDifference(picture(0x123456), picture(0x123456));
         assertEquals(Double.POSITIVE_INFINITY, none.psnr());
         assertEquals(0, none.mean());
+        assertEquals(0, none.rootMeanSquare());
+        assertEquals(0, none.largest());
         assertEquals(0, none.shareOffByMoreThan(0));
     }
 
@@ -26,6 +28,8 @@ class PictureDifferenceTest {
         PictureDifference one = new PictureDifference(picture(0x000600, 0xffffff), picture(0x000000, 0xffffff));
         assertEquals(10 * Math.log10(255 * 255 / 6.0), one.psnr(), 1e-12);
         assertEquals(1, one.mean());
+        assertEquals(Math.sqrt(6), one.rootMeanSquare(), 1e-12);
+        assertEquals(6, one.largest());
         assertEquals(0.5, one.shareOffByMoreThan(5));
         assertEquals(0, one.shareOffByMoreThan(6));
     }

@@ -1,0 +1,123 @@
+package raytracing.timed;
+
+import raytracing.color.Color;
+import raytracing.geometry.Box;
+import raytracing.geometry.Plane;
+import raytracing.geometry.Sphere;
+import raytracing.geometry.Surface;
+import raytracing.math.Vector;
+import raytracing.scene.Camera;
+import raytracing.scene.Light;
+import raytracing.scene.Material;
+import raytracing.scene.Scene;
+
+/**
+ * A scene in POV-Ray's scene description language: as much work, and nearly the same picture. What POV-Ray has no word
+ * for is left out: the share of its light that an obstacle stops, each light's own highlights, the fisheye. Its lights
+ * are round where ours are square.
+ */
+public final class ToPovRay {
+    /** POV-Ray refuses more. */
+    private static final int DEEPEST = 256;
+
+    private final StringBuilder text = new StringBuilder();
+    private final int shadowRayRoot;
+
+    private ToPovRay(int shadowRayRoot) {
+        this.shadowRayRoot = shadowRayRoot;
+    }
+
+    /** A whole file for POV-Ray 3.7, for a square picture. */
+    public static String of(Scene scene) {
+        ToPovRay translation = new ToPovRay(scene.settings().shadowRayRoot());
+        // POV-Ray counts the ray from the eye as the first level.
+        int levels = Math.min(DEEPEST, scene.settings().maxReflections() + 1);
+        translation.line("#version 3.7;");
+        translation.line("global_settings { assumed_gamma 1 max_trace_level " + levels + " }");
+        translation.line("background { rgb " + triple(scene.settings().background()) + " }");
+        translation.camera(scene.camera());
+        scene.lights().forEach(translation::light);
+        for (int i = 0; i < scene.materials().size(); i++) {
+            translation.material(i, scene.materials().get(i));
+        }
+        Writer writer = translation.new Writer();
+        scene.surfaces().forEach(surface -> surface.presentTo(writer));
+        return translation.text.toString();
+    }
+
+    /** POV-Ray's axes are left-handed too; {@code look_at} turns the other vectors and keeps their lengths. */
+    private void camera(Camera camera) {
+        double width = camera.screenWidth();
+        line("camera { perspective location " + triple(camera.position()) + " sky " + triple(camera.up())
+            + " up " + triple(new Vector(0, width, 0)) + " right " + triple(new Vector(width, 0, 0))
+            + " direction " + triple(new Vector(0, 0, camera.screenDistance()))
+            + " look_at " + triple(camera.lookAt()) + " }");
+    }
+
+    private void light(Light light) {
+        line("light_source { " + triple(light.position()) + " rgb " + triple(light.color()) + shadows(light) + " }");
+    }
+
+    private String shadows(Light light) {
+        if (light.shadowIntensity() == 0) {
+            return " shadowless";
+        }
+        if (light.width() == 0 || shadowRayRoot == 1) {
+            return "";
+        }
+        return " area_light " + triple(new Vector(light.width(), 0, 0)) + ", " + triple(new Vector(0, light.width(), 0))
+            + ", " + shadowRayRoot + ", " + shadowRayRoot + " jitter circular orient";
+    }
+
+    private void material(int number, Material material) {
+        line("#declare " + name(number) + " = texture { pigment { rgb " + triple(material.diffuse())
+            + " transmit " + material.transparency() + " } finish { ambient 0 diffuse 1 phong "
+            + mean(material.specular()) + " phong_size " + material.phongExponent()
+            + " reflection { rgb " + triple(material.reflection()) + " } } }");
+    }
+
+    private final class Writer implements Surface.Receiver {
+        @Override
+        public void sphere(Sphere sphere) {
+            line("sphere { " + triple(sphere.centre()) + ", " + sphere.radius() + texture(sphere));
+        }
+
+        /** POV-Ray's offset is a length: it makes the normal a unit vector. */
+        @Override
+        public void plane(Plane plane) {
+            double offset = plane.offset() / plane.normal().length();
+            line("plane { " + triple(plane.normal()) + ", " + offset + texture(plane));
+        }
+
+        @Override
+        public void box(Box box) {
+            Vector half = new Vector(box.edge(), box.edge(), box.edge()).times(0.5);
+            line("box { " + triple(box.centre().minus(half)) + ", " + triple(box.centre().plus(half)) + texture(box));
+        }
+    }
+
+    private void line(String line) {
+        text.append(line).append('\n');
+    }
+
+    private static String texture(Surface surface) {
+        return " texture { " + name(surface.material()) + " } }";
+    }
+
+    private static String name(int material) {
+        return "M" + material;
+    }
+
+    /** POV-Ray's highlights have the colour of the light. */
+    private static double mean(Color color) {
+        return (color.red() + color.green() + color.blue()) / 3;
+    }
+
+    private static String triple(Color color) {
+        return triple(new Vector(color.red(), color.green(), color.blue()));
+    }
+
+    private static String triple(Vector vector) {
+        return "<" + vector.x() + ", " + vector.y() + ", " + vector.z() + ">";
+    }
+}
