@@ -26,17 +26,24 @@ public final class ShadowShaft {
     /** More obstacles than this are not kept: then lines are asked one by one what they cross. */
     private static final int MOST_OBSTACLES = 64;
 
+    /** The hit, and how far each part of it may be off. */
     double px;
     double py;
     double pz;
     double pointError;
+
+    /** The middle of the light's square, and how far each part of it may be off. */
     double lx;
     double ly;
     double lz;
     double endError;
+
+    /** The way from the hit to the middle of the square. */
     double tx;
     double ty;
     double tz;
+
+    /** The shaft's axes: u and v along the square, n towards it. */
     double ux;
     double uy;
     double uz;
@@ -48,10 +55,18 @@ public final class ShadowShaft {
     double nz;
     double depth;
     double halfWidth;
+
+    /** How far surfaces may be off, seen from the shaft: the errors of its ends eight times over, and its own rounding. */
     double margin;
+
+    /** Sum of the sizes of all coordinates, which bounds the rounding of products with them. */
     double reach;
+
+    /** From the hit to the middle of an edge of the square, and to a corner. */
     double slant;
     double cornerDistance;
+
+    /** How far the square reaches from its middle along the world's axes. */
     double extentX;
     double extentY;
     double extentZ;
@@ -95,7 +110,8 @@ public final class ShadowShaft {
     }
 
     /**
-     * Turns the shaft from a hit to a light and sorts the surfaces.
+     * Turns the shaft from a hit to a light and sorts the surfaces. One long method on purpose: the virtual machine does not
+     * compile a method of more than 325 bytes into its callers again (DECISIONS).
      *
      * @param from the hit, which must stay as it is while the shaft is asked
      * @param surface number of the surface that was hit

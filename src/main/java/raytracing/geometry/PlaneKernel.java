@@ -1,7 +1,6 @@
 package raytracing.geometry;
 
 import raytracing.math.CompensatedSum;
-import raytracing.math.Vector;
 
 /**
  * Ray-plane arithmetic on bare doubles, world axes. {@link Plane} and the compiled scene both call it.

@@ -141,7 +141,11 @@ public final class Shader {
         }
     }
 
-    /** What one straight ray adds to the pixel: the surfaces along it up to the first opaque one, then the background. */
+    /**
+     * What one straight ray adds to the pixel: the surfaces along it up to the first opaque one, then the background. This
+     * and {@link #addDirectLight} are long on purpose: the virtual machine does not compile a method of more than 325 bytes
+     * into its callers again (DECISIONS).
+     */
     private void follow(int reflections, long key) {
         HitPoint hit = walk.point();
         double dx = walk.directionX();
