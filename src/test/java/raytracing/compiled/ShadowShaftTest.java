@@ -15,6 +15,7 @@ import raytracing.geometry.Hit;
 import raytracing.geometry.HitPoint;
 import raytracing.geometry.PointError;
 import raytracing.geometry.Ray;
+import raytracing.math.Basis;
 import raytracing.math.Vector;
 
 /** Whatever a shaft knows beforehand, its lines get the answers that each of them would get alone, bit for bit. */
@@ -81,9 +82,10 @@ class ShadowShaftTest {
         shaft.aim(point, hit.surface(), light.x(), light.y(), light.z(), error, width);
         double first = -1;
         boolean isPartlyCovered = false;
-        for (int i = 0; i < 12; i++) {
-            double x = random.nextDouble(-width, width) / 2;
-            double y = random.nextDouble(-width, width) / 2;
+        for (int i = 0; i < 20; i++) {
+            // the corners and the middles of the edges, which no random sample meets, then random points
+            double x = i < 9 ? (i / 3 - 1) * width / 2 : random.nextDouble(-width, width) / 2;
+            double y = i < 9 ? (i % 3 - 1) * width / 2 : random.nextDouble(-width, width) / 2;
             double found = shaft.transmittance(x, y);
             double expected = line.transmittance(point, hit.surface(), shaft.endX(), shaft.endY(), shaft.endZ(), error);
             assertEquals(expected, found, () -> hit + " to " + light + ", width " + width);
@@ -138,27 +140,29 @@ class ShadowShaftTest {
         }
     }
 
-    /** Far from the world's origin, rounding hides more and more, and the shaft must know how much. */
+    /** Far from the world's origin, rounding hides more and more, and the shaft must know how much: points lie on twins. */
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e6, 1e9, 1e12})
     void shaftsFarFromTheOriginOfTheWorld(double far) {
         SplittableRandom random = new SplittableRandom(3);
-        for (int i = 0; i < 200; i++) {
-            String surfaces = "sph " + far + " 0 0 " + random.nextDouble(0.1, 1) + " 1\nbox " + (far + 1) + " 1 "
-                + random.nextDouble(-1, 1) + " 0.7 2\npln 1 0.1 0 " + (far - 1.5) + " 3\nsph " + (far + 0.5)
-                + " 2 0.3 0.4 4";
+        for (int i = 0; i < 400; i++) {
+            String ball = "sph " + far + " 0 0 " + random.nextDouble(0.1, 1.5);
+            String box = "box " + (far + 1) + " 1 " + random.nextDouble(-1, 1) + " 0.7";
+            String surfaces = ball + " 1\n" + ball + " 2\n" + box + " 2\n" + box + " 3\npln 1 0.1 0 " + (far - 1.5)
+                + " 3\nsph " + (far + 0.5) + " 2 0.3 0.4 4";
             CompiledScene scene = compiled(surfaces, EnumSet.allOf(Shortcut.class));
-            Vector eye = vector(random, 3).plus(new Vector(far, 0, 0));
+            Vector middle = new Vector(far, 0, 0);
+            Vector eye = vector(random, 3).plus(middle);
             RayWalk walk = new RayWalk(scene);
-            walk.start(new Ray(eye, vector(random, 1)));
-            Vector light = vector(random, 5).plus(new Vector(far, 0, 0));
+            walk.start(new Ray(eye, middle.plus(vector(random, 1)).minus(eye)));
+            Vector light = vector(random, 5).plus(middle);
             if (walk.advance() && light.minus(walk.hit().point()).length() > 0.01) {
                 assertSameBits(scene, walk.hit(), light, random.nextDouble(0.1, 2), random);
             }
         }
     }
 
-    /** Spheres that just touch the shaft's walls, its corners, the light, or the point, or just do not. */
+    /** Spheres that just touch one of the shaft's edges or the middle of a wall from outside, or just do not. */
     @ParameterizedTest
     @ValueSource(doubles = {-1e-3, -1e-9, -1e-13, -1e-15, 0, 1e-15, 1e-13, 1e-9, 1e-3})
     void spheresThatBarelyTouchTheShaft(double beyond) {
@@ -166,9 +170,13 @@ class ShadowShaftTest {
         Hit floor = new Hit(0, 0, 1, Vector.ZERO, 0x1p-51, new Vector(0, 1, 0), Departure.OUTWARD);
         for (int i = 0; i < 400; i++) {
             Vector light = new Vector(random.nextDouble(-3, 3), 10, random.nextDouble(-3, 3));
-            Vector end = light.plus(new Vector(random.nextInt(-1, 2), 0, random.nextInt(-1, 2)));
-            Vector touched = end.times(random.nextDouble(0, 1));
-            Vector aside = vector(random, 1).unit();
+            Basis square = Basis.around(light);
+            Vector corner = square.u().times(random.nextBoolean() ? 1 : -1)
+                .plus(random.nextInt(-1, 2), square.v());
+            Vector end = light.plus(corner);
+            Vector touched = end.times(random.nextDouble(0.1, 1));
+            Vector along = end.unit();
+            Vector aside = corner.plus(-corner.dot(along), along).unit();
             double r = random.nextDouble(0.01, 2);
             Vector centre = touched.plus(r * (1 + beyond), aside);
             CompiledScene scene = compiled("pln 0 1 0 0 1\nsph " + centre.x() + " " + centre.y() + " " + centre.z() + " "
