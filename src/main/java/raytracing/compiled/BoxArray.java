@@ -6,25 +6,24 @@ import raytracing.geometry.BoxKernel;
 import raytracing.math.Vector;
 
 /** All boxes of a scene, flat. Entry i of every array belongs to the same box. */
-final class BoxArray {
+final class BoxArray extends BodyArray {
     private final double[] x;
     private final double[] y;
     private final double[] z;
     private final double[] half;
     private final int[] number;
-    private final Optional<Hierarchy> hierarchy;
 
     /** In the order of the hierarchy, if there is one: so each of its leaves is a row of entries. */
     BoxArray(Box[] boxes, int[] numbers, Optional<Hierarchy> hierarchy) {
+        super(boxes.length, hierarchy);
         int count = boxes.length;
-        this.hierarchy = hierarchy;
         x = new double[count];
         y = new double[count];
         z = new double[count];
         half = new double[count];
         number = new int[count];
         for (int i = 0; i < count; i++) {
-            int listed = hierarchy.isPresent() ? hierarchy.get().order()[i] : i;
+            int listed = listed(hierarchy, i);
             Box box = boxes[listed];
             x[i] = box.centre().x();
             y[i] = box.centre().y();
@@ -44,57 +43,13 @@ final class BoxArray {
         return bounds;
     }
 
-    boolean hasHierarchy() {
-        return hierarchy.isPresent();
+    @Override
+    int lastOpaque(ShadowLine line) {
+        return line.lastBox;
     }
 
-    /** Offers the first crossing of a ray with every box, but for the one it leaves. */
-    void offerCrossings(RayWalk ray, HierarchyWalk walk, Crossings crossings) {
-        if (hierarchy.isEmpty()) {
-            offerCrossings(ray, 0, number.length, crossings);
-            return;
-        }
-        walk.startRay(hierarchy.get(), ray.ox, ray.oy, ray.oz, ray.originError, ray.dx, ray.dy, ray.dz);
-        while (walk.nextLeaf(crossings.distance())) {
-            offerCrossings(ray, walk.from(), walk.to(), crossings);
-        }
-    }
-
-    /** Adds all boxes that a line crosses, but for the one it leaves; may stop when no light is left. */
-    void addCrossed(ShadowLine line, HierarchyWalk walk) {
-        if (hierarchy.isEmpty()) {
-            addCrossed(line, 0, number.length);
-            return;
-        }
-        int last = line.lastBox;
-        if (last < number.length) {
-            addCrossed(line, last, last + 1);
-        }
-        if (line.crossed.isDark()) {
-            return;
-        }
-        walk.startRay(hierarchy.get(), line.px, line.py, line.pz, Math.max(line.pointError, line.endError),
-            line.dx, line.dy, line.dz);
-        while (!line.crossed.isDark() && walk.nextLeaf(1)) {
-            addCrossed(line, walk.from(), walk.to());
-        }
-    }
-
-    /** Adds all boxes that lines of a shaft may cross, but for the one they leave, while it is worth sorting. */
-    void addTouched(ShadowShaft shaft, PyramidWalk walk) {
-        if (hierarchy.isEmpty()) {
-            addTouched(shaft, 0, number.length);
-            return;
-        }
-        walk.startPyramid(hierarchy.get(), shaft.px, shaft.py, shaft.pz, shaft.nx, shaft.ny, shaft.nz,
-            shaft.ux, shaft.uy, shaft.uz, shaft.vx, shaft.vy, shaft.vz, shaft.depth, shaft.halfWidth, shaft.margin);
-        while (shaft.isWorthSorting() && walk.nextLeaf()) {
-            addTouched(shaft, walk.from(), walk.to());
-        }
-    }
-
-    /** Offers the first crossing of a ray with every box from one entry up to another, but for the one it leaves. */
-    private void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
+    @Override
+    void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
         for (int i = from; i < to; i++) {
             if (number[i] != ray.surfaceLeft && !BoxKernel.isPlainlyMissed(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz,
                     crossings.distance(), ray.originError, x[i], y[i], z[i], half[i])) {
@@ -104,8 +59,8 @@ final class BoxArray {
         }
     }
 
-    /** Adds those boxes from one entry up to another that a line crosses, but for the one it leaves. */
-    private void addCrossed(ShadowLine line, int from, int to) {
+    @Override
+    void addCrossed(ShadowLine line, int from, int to) {
         double error = Math.max(line.pointError, line.endError);
         for (int i = from; i < to && !line.crossed.isDark(); i++) {
             if (number[i] != line.surfaceLeft
@@ -119,8 +74,8 @@ final class BoxArray {
         }
     }
 
-    /** Adds those boxes from one entry up to another that lines of a shaft may cross, but for the one they leave. */
-    private void addTouched(ShadowShaft shaft, int from, int to) {
+    @Override
+    void addTouched(ShadowShaft shaft, int from, int to) {
         for (int i = from; i < to && !shaft.certain.isDark(); i++) {
             if (number[i] != shaft.surfaceLeft) {
                 shaft.boxes.consider(shaft, number[i], i, x[i] - shaft.px, y[i] - shaft.py, z[i] - shaft.pz, half[i]);

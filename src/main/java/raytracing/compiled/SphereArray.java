@@ -6,25 +6,24 @@ import raytracing.geometry.SphereKernel;
 import raytracing.math.Vector;
 
 /** All spheres of a scene, flat. Entry i of every array belongs to the same sphere. */
-final class SphereArray {
+final class SphereArray extends BodyArray {
     private final double[] x;
     private final double[] y;
     private final double[] z;
     private final double[] radius;
     private final int[] number;
-    private final Optional<Hierarchy> hierarchy;
 
     /** In the order of the hierarchy, if there is one: so each of its leaves is a row of entries. */
     SphereArray(Sphere[] spheres, int[] numbers, Optional<Hierarchy> hierarchy) {
+        super(spheres.length, hierarchy);
         int count = spheres.length;
-        this.hierarchy = hierarchy;
         x = new double[count];
         y = new double[count];
         z = new double[count];
         radius = new double[count];
         number = new int[count];
         for (int i = 0; i < count; i++) {
-            int listed = hierarchy.isPresent() ? hierarchy.get().order()[i] : i;
+            int listed = listed(hierarchy, i);
             Sphere sphere = spheres[listed];
             x[i] = sphere.centre().x();
             y[i] = sphere.centre().y();
@@ -44,57 +43,13 @@ final class SphereArray {
         return bounds;
     }
 
-    boolean hasHierarchy() {
-        return hierarchy.isPresent();
+    @Override
+    int lastOpaque(ShadowLine line) {
+        return line.lastSphere;
     }
 
-    /** Offers the first crossing of a ray with every sphere, but for the one it leaves. */
-    void offerCrossings(RayWalk ray, HierarchyWalk walk, Crossings crossings) {
-        if (hierarchy.isEmpty()) {
-            offerCrossings(ray, 0, number.length, crossings);
-            return;
-        }
-        walk.startRay(hierarchy.get(), ray.ox, ray.oy, ray.oz, ray.originError, ray.dx, ray.dy, ray.dz);
-        while (walk.nextLeaf(crossings.distance())) {
-            offerCrossings(ray, walk.from(), walk.to(), crossings);
-        }
-    }
-
-    /** Adds all spheres that a line crosses, but for the one it leaves; may stop when no light is left. */
-    void addCrossed(ShadowLine line, HierarchyWalk walk) {
-        if (hierarchy.isEmpty()) {
-            addCrossed(line, 0, number.length);
-            return;
-        }
-        int last = line.lastSphere;
-        if (last < number.length) {
-            addCrossed(line, last, last + 1);
-        }
-        if (line.crossed.isDark()) {
-            return;
-        }
-        walk.startRay(hierarchy.get(), line.px, line.py, line.pz, Math.max(line.pointError, line.endError),
-            line.dx, line.dy, line.dz);
-        while (!line.crossed.isDark() && walk.nextLeaf(1)) {
-            addCrossed(line, walk.from(), walk.to());
-        }
-    }
-
-    /** Adds all spheres that lines of a shaft may cross, but for the one they leave, while it is worth sorting. */
-    void addTouched(ShadowShaft shaft, PyramidWalk walk) {
-        if (hierarchy.isEmpty()) {
-            addTouched(shaft, 0, number.length);
-            return;
-        }
-        walk.startPyramid(hierarchy.get(), shaft.px, shaft.py, shaft.pz, shaft.nx, shaft.ny, shaft.nz,
-            shaft.ux, shaft.uy, shaft.uz, shaft.vx, shaft.vy, shaft.vz, shaft.depth, shaft.halfWidth, shaft.margin);
-        while (shaft.isWorthSorting() && walk.nextLeaf()) {
-            addTouched(shaft, walk.from(), walk.to());
-        }
-    }
-
-    /** Offers the first crossing of a ray with every sphere from one entry up to another, but for the one it leaves. */
-    private void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
+    @Override
+    void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
         double[] u = ray.order.first(x, y, z);
         double[] v = ray.order.first(y, z, x);
         double[] w = ray.order.first(z, x, y);
@@ -113,8 +68,8 @@ final class SphereArray {
         }
     }
 
-    /** Adds those spheres from one entry up to another that a line crosses, but for the one it leaves. */
-    private void addCrossed(ShadowLine line, int from, int to) {
+    @Override
+    void addCrossed(ShadowLine line, int from, int to) {
         double px = line.px;
         double py = line.py;
         double pz = line.pz;
@@ -132,8 +87,8 @@ final class SphereArray {
         }
     }
 
-    /** Adds those spheres from one entry up to another that lines of a shaft may cross, but for the one they leave. */
-    private void addTouched(ShadowShaft shaft, int from, int to) {
+    @Override
+    void addTouched(ShadowShaft shaft, int from, int to) {
         double px = shaft.px;
         double py = shaft.py;
         double pz = shaft.pz;
