@@ -79,7 +79,7 @@ public final class Renderer {
             waitFor(helper);
         }
         for (Worker worker : workers) {
-            worker.rethrow();
+            worker.failure.rethrow();
         }
         return film;
     }
@@ -103,7 +103,7 @@ public final class Renderer {
         private final Film film;
         private final TileQueue tiles;
         private final Shader shader = new Shader(scene, compiled);
-        private Optional<Throwable> failure = Optional.empty();
+        private final Failure failure = new Failure();
 
         Worker(Film film, TileQueue tiles) {
             this.film = film;
@@ -117,7 +117,7 @@ public final class Renderer {
                     draw(tile.get());
                 }
             } catch (RuntimeException | Error thrown) {
-                failure = Optional.of(thrown);
+                failure.keep(thrown);
                 tiles.close();
             }
         }
@@ -136,16 +136,6 @@ public final class Renderer {
                 return light(shader, x, y);
             } catch (RuntimeException defect) {
                 throw new IllegalStateException("pixel " + x + ", " + y + ": " + defect, defect);
-            }
-        }
-
-        private void rethrow() {
-            if (failure.isPresent()) {
-                Throwable thrown = failure.get();
-                if (thrown instanceof Error error) {
-                    throw error;
-                }
-                throw (RuntimeException) thrown;
             }
         }
     }

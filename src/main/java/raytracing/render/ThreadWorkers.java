@@ -24,16 +24,18 @@ final class ThreadWorkers implements Workers {
         Thread thread = new Thread(helper, "workers");
         thread.setDaemon(true);
         thread.start();
-        first.run();
-        Renderer.waitFor(thread);
-        idle.getAndIncrement();
-        helper.rethrow();
+        try {
+            first.run();
+        } finally {
+            Renderer.waitFor(thread);
+            idle.getAndIncrement();
+        }
+        helper.failure.rethrow();
     }
 
-    /** Work whose failure is thrown where its end is awaited. */
     private static final class Helper implements Runnable {
         private final Runnable work;
-        private Throwable failure;
+        private final Failure failure = new Failure();
 
         Helper(Runnable work) {
             this.work = work;
@@ -44,16 +46,7 @@ final class ThreadWorkers implements Workers {
             try {
                 work.run();
             } catch (RuntimeException | Error thrown) {
-                failure = thrown;
-            }
-        }
-
-        void rethrow() {
-            if (failure instanceof Error error) {
-                throw error;
-            }
-            if (failure instanceof RuntimeException exception) {
-                throw exception;
+                failure.keep(thrown);
             }
         }
     }
