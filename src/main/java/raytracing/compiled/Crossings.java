@@ -16,7 +16,6 @@ final class Crossings {
     private double distance;
     private int surface;
 
-    private boolean isAsked;
     private boolean keepsAll;
     private double[] distances = new double[16];
     private int[] surfaces = new int[16];
@@ -47,17 +46,6 @@ final class Crossings {
         surface = Ray.NO_SURFACE;
         count = 0;
         next = 0;
-        isAsked = true;
-    }
-
-    /** Whether a query has begun and no surface has been asked. */
-    boolean isAsked() {
-        return isAsked;
-    }
-
-    /** Notes that the query has gone to all surfaces. */
-    void answer() {
-        isAsked = false;
     }
 
     /** Takes note of a crossing. A miss never comes before anything, so it changes nothing. */

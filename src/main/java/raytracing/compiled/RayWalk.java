@@ -100,17 +100,17 @@ public final class RayWalk {
      * @return false if the ray meets no further one
      */
     public boolean advance() {
+        boolean knowsTheRest = isStarted && crossings.keepsAll();
         if (!isStarted) {
             isStarted = true;
             crossings.findNearest();
         } else if (scene.hasHierarchy()) {
             crossings.findNearestAfterThis();
-        } else if (!crossings.keepsAll()) {
+        } else if (!knowsTheRest) {
             crossings.findFurther();
         }
-        if (crossings.isAsked()) {
+        if (!knowsTheRest) {
             ask();
-            crossings.answer();
         }
         if (crossings.keepsAll()) {
             crossings.advance();
