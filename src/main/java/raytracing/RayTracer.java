@@ -14,6 +14,7 @@ import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Rendering;
 import raytracing.scene.Scene;
 
 /** The program: {@code java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]}. */
@@ -66,11 +67,16 @@ public final class RayTracer {
         }
         file.prepare();
         Scene scene = parseScene(command.scene());
-        Film film = renderScene(scene, command.settings());
-        saveImage(film, file);
+        Rendering rendering = new Renderer(scene, command.settings()).draw();
+        saveImage(rendering.film(), file);
         long milliseconds = (System.nanoTime() - start) / 1_000_000;
-        System.err.println(command.output() + ": " + film.width() + " x " + film.height() + " pixels in "
-            + milliseconds + " ms");
+        System.err.println(command.output() + ": " + rendering.film().width() + " x " + rendering.film().height()
+            + " pixels in " + milliseconds + " ms" + refinement(rendering, command.settings().sampling().root()));
+    }
+
+    private static String refinement(Rendering rendering, int root) {
+        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays",
+            100 * rendering.refinedShare(), root, root);
     }
 
     /**

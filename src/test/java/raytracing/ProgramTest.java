@@ -73,6 +73,15 @@ class ProgramTest {
     }
 
     @Test
+    void smoothEdgesComeWithTheShareOfPixelsThatNeededThem() throws Exception {
+        Program program = run("scene.txt", "out.png", "40", "30", "--samples", "3");
+        assertEquals(0, program.status(), program.errors());
+        assertTrue(program.errors().matches(
+            "out\\.png: 40 x 30 pixels in \\d+ ms, \\d+\\.\\d % of them with 3 x 3 rays\\R"), program.errors());
+        assertFalse(program.errors().contains(" 0.0 %") || program.errors().contains("100.0 %"), program.errors());
+    }
+
+    @Test
     void helpAndVersionGoToStandardOutput() throws Exception {
         Program help = run("--help");
         assertEquals(0, help.status());
@@ -88,7 +97,7 @@ class ProgramTest {
         "scene.txt none/out.png         | none/out.png: no such folder",
         "scene.txt out.png 40           | a width without a height: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
         "scene.txt out.png 40 0         | height: must be a whole number from 1 to 2147483647, got 0",
-        "scene.txt out.png --fast       | --fast: unknown option, expected --threads, --seed, --opaque-shadows, --help or --version",
+        "scene.txt out.png --fast       | --fast: unknown option, expected --threads, --seed, --samples, --opaque-shadows, --help or --version",
         "scene.txt                      | no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
     })
     void theUsersMistakesEndWithStatus2AndOneSentence(String line, String expected) throws Exception {

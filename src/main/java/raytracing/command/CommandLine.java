@@ -9,6 +9,7 @@ import raytracing.compiled.ShadowMode;
 import raytracing.film.Film;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
+import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
 
 /**
@@ -28,6 +29,7 @@ public final class CommandLine {
         options (they may stand anywhere; "--threads 4" and "--threads=4" are the same)
           --threads N        use N threads instead of one for each processor
           --seed N           use other random numbers for soft shadows; default 1
+          --samples N        smooth edges: N x N rays in pixels on an edge; default 1
           --opaque-shadows   transparent surfaces cast full shadows instead of letting
                              light through
           --help             print this text
@@ -44,6 +46,7 @@ public final class CommandLine {
 
     private static final String USAGE = "expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
     private static final int MOST_THREADS = 1024;
+    private static final int MOST_SAMPLES = 32;
 
     private final List<String> operands = new ArrayList<>();
     private RenderSettings settings = RenderSettings.DEFAULT;
@@ -104,10 +107,10 @@ public final class CommandLine {
 
     private static boolean takesValue(String name) throws RayTracerException {
         return switch (name) {
-            case "--threads", "--seed" -> true;
+            case "--threads", "--seed", "--samples" -> true;
             case "--opaque-shadows", "--help", "--version" -> false;
             default -> throw new RayTracerException(name + ": unknown option, expected --threads, --seed, "
-                + "--opaque-shadows, --help or --version");
+                + "--samples, --opaque-shadows, --help or --version");
         };
     }
 
@@ -120,10 +123,12 @@ public final class CommandLine {
     }
 
     private void setValue(String name, String value) throws RayTracerException {
-        if (name.equals("--threads")) {
-            settings = settings.withWorkers(wholeNumber(name, value, MOST_THREADS), settings.tileSize());
-        } else {
-            settings = settings.withSeed(seed(value));
+        switch (name) {
+            case "--threads" ->
+                settings = settings.withWorkers(wholeNumber(name, value, MOST_THREADS), settings.tileSize());
+            case "--samples" -> settings = settings.withSampling(
+                new PixelSampling(wholeNumber(name, value, MOST_SAMPLES), PixelSampling.Where.EDGES));
+            default -> settings = settings.withSeed(seed(value));
         }
     }
 

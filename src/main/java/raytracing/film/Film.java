@@ -26,9 +26,22 @@ public final class Film {
      * @param height in pixels, at least 1; width times height at most {@link #MOST_PIXELS}
      */
     public Film(int width, int height) {
+        this(width, height, new double[CHANNELS * Math.multiplyExact(width, height)]);
+    }
+
+    private Film(int width, int height, double[] light) {
         this.width = width;
         this.height = height;
-        light = new double[CHANNELS * Math.multiplyExact(width, height)];
+        this.light = light;
+    }
+
+    /**
+     * Another film with the same picture.
+     *
+     * @return a copy that has its own pixels
+     */
+    public Film copy() {
+        return new Film(width, height, light.clone());
     }
 
     /**
@@ -75,6 +88,35 @@ public final class Film {
     public Color get(int x, int y) {
         int i = CHANNELS * (y * width + x);
         return new Color(light[i], light[i + 1], light[i + 2]);
+    }
+
+    /**
+     * How far two pixels are apart in the picture, where light above 1 looks like 1.
+     *
+     * @param x column of the one, in [0, width)
+     * @param y row, in [0, height), from the top
+     * @param otherX column of the other
+     * @param otherY row
+     * @return the largest difference of a channel clamped to [0, 1]
+     */
+    public double contrast(int x, int y, int otherX, int otherY) {
+        int i = CHANNELS * (y * width + x);
+        int j = CHANNELS * (otherY * width + otherX);
+        double largest = 0;
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            largest = Math.max(largest, Math.abs(shown(light[i + channel]) - shown(light[j + channel])));
+        }
+        return largest;
+    }
+
+    /**
+     * What a picture shows of a channel's light.
+     *
+     * @param channel linear light, at least 0
+     * @return the channel, at most 1
+     */
+    public static double shown(double channel) {
+        return Math.min(channel, 1);
     }
 
     /**

@@ -1,19 +1,23 @@
 package raytracing.render;
 
 import raytracing.compiled.ShadowMode;
+import raytracing.shade.ShadowMethod;
 
 /**
- * What the command, not the scene, decides about a picture. Only the first four decide what is in it.
+ * What the command, not the scene, decides about a picture. Only the first six decide what is in it.
  *
  * @param width of the picture in pixels, at least 1
  * @param height of the picture in pixels, at least 1; width times height at most
  *         {@link raytracing.film.Film#MOST_PIXELS}
  * @param seed of all random numbers
  * @param shadowMode what transparent surfaces do to light that falls through them
+ * @param shadowMethod how soft shadows are found
+ * @param sampling how many rays of the eye a pixel gets
  * @param threads how many work at once, at least 1
  * @param tileSize edge of the squares that threads take in turn, in pixels, at least 1
  */
-public record RenderSettings(int width, int height, long seed, ShadowMode shadowMode, int threads, int tileSize) {
+public record RenderSettings(int width, int height, long seed, ShadowMode shadowMode,
+                             ShadowMethod shadowMethod, PixelSampling sampling, int threads, int tileSize) {
     /** Small enough that the last tiles end together, large enough that taking one costs nothing beside it. */
     public static final int DEFAULT_TILE_SIZE = 16;
 
@@ -25,7 +29,8 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
 
     /** What is drawn when the user names a scene and nothing else. */
     public static final RenderSettings DEFAULT = new RenderSettings(DEFAULT_SIZE, DEFAULT_SIZE, DEFAULT_SEED,
-        ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, Runtime.getRuntime().availableProcessors(), DEFAULT_TILE_SIZE);
+        ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, ShadowMethod.OF_THE_SCENE, PixelSampling.ONE_RAY,
+        Runtime.getRuntime().availableProcessors(), DEFAULT_TILE_SIZE);
 
     /**
      * The same for another size.
@@ -35,7 +40,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the size
      */
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, seed, shadowMode, threads, tileSize);
+        return new RenderSettings(newWidth, newHeight, seed, shadowMode, shadowMethod, sampling, threads, tileSize);
     }
 
     /**
@@ -45,7 +50,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the seed
      */
     public RenderSettings withSeed(long newSeed) {
-        return new RenderSettings(width, height, newSeed, shadowMode, threads, tileSize);
+        return new RenderSettings(width, height, newSeed, shadowMode, shadowMethod, sampling, threads, tileSize);
     }
 
     /**
@@ -55,7 +60,27 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the shadows
      */
     public RenderSettings withShadowMode(ShadowMode newShadowMode) {
-        return new RenderSettings(width, height, seed, newShadowMode, threads, tileSize);
+        return new RenderSettings(width, height, seed, newShadowMode, shadowMethod, sampling, threads, tileSize);
+    }
+
+    /**
+     * The same with soft shadows found another way.
+     *
+     * @param newShadowMethod how soft shadows are found
+     * @return these settings but for the method
+     */
+    public RenderSettings withShadowMethod(ShadowMethod newShadowMethod) {
+        return new RenderSettings(width, height, seed, shadowMode, newShadowMethod, sampling, threads, tileSize);
+    }
+
+    /**
+     * The same with other rays of the eye.
+     *
+     * @param newSampling how many a pixel gets
+     * @return these settings but for those rays
+     */
+    public RenderSettings withSampling(PixelSampling newSampling) {
+        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, newSampling, threads, tileSize);
     }
 
     /**
@@ -66,6 +91,6 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the sharing
      */
     public RenderSettings withWorkers(int newThreads, int newTileSize) {
-        return new RenderSettings(width, height, seed, shadowMode, newThreads, newTileSize);
+        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, sampling, newThreads, newTileSize);
     }
 }

@@ -3,7 +3,7 @@ package raytracing.render;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Optional;
+import java.util.Set;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
 import raytracing.compiled.PixelRays;
@@ -15,8 +15,9 @@ import raytracing.shade.LightSum;
 import raytracing.shade.Shader;
 
 /**
- * Draws a scene. Every pixel depends on the scene, the size, the seed, the shadow mode and its own coordinates alone:
- * {@link #pixel} replays any of them, and the film is the same for every number of threads and every tile size.
+ * Draws a scene. Every pixel depends on its own coordinates, the scene, and those settings that decide what is in the
+ * picture alone: {@link #pixel} replays any of them, and the film is the same for every number of threads and every
+ * tile size.
  */
 public final class Renderer {
     private final RenderSettings settings;
@@ -31,10 +32,21 @@ public final class Renderer {
      * @param settings how
      */
     public Renderer(Scene scene, RenderSettings settings) {
+        this(scene, settings, EnumSet.allOf(Shortcut.class));
+    }
+
+    /**
+     * Makes a scene ready to be drawn with some of the shortcuts: to measure what each is worth.
+     *
+     * @param scene what to draw
+     * @param settings how
+     * @param shortcuts work to be skipped, which changes no bit of the picture
+     */
+    public Renderer(Scene scene, RenderSettings settings, Set<Shortcut> shortcuts) {
         this.scene = scene;
         this.settings = settings;
         pixelRays = new PixelRays(scene.camera(), settings.width(), settings.height());
-        compiled = new CompiledScene(scene, settings.shadowMode(), EnumSet.allOf(Shortcut.class),
+        compiled = new CompiledScene(scene, settings.shadowMode(), shortcuts,
             new ThreadWorkers(settings.threads()));
     }
 
@@ -46,12 +58,7 @@ public final class Renderer {
      * @return linear light; black where the lens sees nothing
      */
     public Color pixel(int x, int y) {
-        return light(new Shader(scene, compiled), x, y).total();
-    }
-
-    private LightSum light(Shader shader, int x, int y) {
-        long key = CounterRandom.bits(CounterRandom.bits(settings.seed(), x), y);
-        return shader.light(pixelRays, x + 0.5, y + 0.5, key);
+        return hasOneRay() ? oneRay(shader(), x, y).total() : new SmoothEdges(this, settings).pixel(x, y);
     }
 
     /**
@@ -61,82 +68,55 @@ public final class Renderer {
      * @throws IllegalStateException if a pixel failed, which is a defect of this program; names the pixel
      */
     public Film render() {
+        return draw().film();
+    }
+
+    /**
+     * Draws like {@link #render} and says what it took.
+     *
+     * @return the finished film and how much of it got more than one ray
+     * @throws IllegalStateException if a pixel failed, which is a defect of this program; names the pixel
+     */
+    public Rendering draw() {
+        if (!hasOneRay()) {
+            return new SmoothEdges(this, settings).draw();
+        }
         Film film = new Film(settings.width(), settings.height());
-        TileQueue tiles = new TileQueue(settings.width(), settings.height(), settings.tileSize());
-        List<Worker> workers = new ArrayList<>();
-        List<Thread> helpers = new ArrayList<>();
+        TileQueue tiles = tiles();
+        List<TileWorker> workers = new ArrayList<>();
         for (int i = 0; i < settings.threads(); i++) {
-            workers.add(new Worker(film, tiles));
+            workers.add(new TileWorker(this, film, tiles));
         }
-        for (Worker worker : workers.subList(1, workers.size())) {
-            Thread helper = new Thread(worker, "tiles");
-            helper.setDaemon(true);
-            helper.start();
-            helpers.add(helper);
-        }
-        workers.get(0).run();
-        for (Thread helper : helpers) {
-            waitFor(helper);
-        }
-        for (Worker worker : workers) {
-            worker.failure.rethrow();
-        }
-        return film;
+        TileWorker.runAll(workers);
+        return new Rendering(film, 0);
     }
 
-    static void waitFor(Thread thread) {
-        boolean interrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException request) {
-                interrupted = true;          // the film is nobody's before all are done; pass the request on after that
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
+    private boolean hasOneRay() {
+        return settings.sampling().root() == 1;
     }
 
-    /** Draws tiles until none is left. What goes wrong in it stops all workers and is thrown where the film is awaited. */
-    private final class Worker implements Runnable {
-        private final Film film;
-        private final TileQueue tiles;
-        private final Shader shader = new Shader(scene, compiled);
-        private final Failure failure = new Failure();
+    /** For one thread. */
+    Shader shader() {
+        return new Shader(scene, compiled, settings.shadowMethod());
+    }
 
-        Worker(Film film, TileQueue tiles) {
-            this.film = film;
-            this.tiles = tiles;
-        }
+    /** All of the picture. */
+    TileQueue tiles() {
+        return new TileQueue(settings.width(), settings.height(), settings.tileSize());
+    }
 
-        @Override
-        public void run() {
-            try {
-                for (Optional<Tile> tile = tiles.next(); tile.isPresent(); tile = tiles.next()) {
-                    draw(tile.get());
-                }
-            } catch (RuntimeException | Error thrown) {
-                failure.keep(thrown);
-                tiles.close();
-            }
-        }
+    /** The light of the ray through a pixel's centre. */
+    LightSum oneRay(Shader shader, int x, int y) {
+        return ray(shader, x + 0.5, y + 0.5, key(x, y));
+    }
 
-        private void draw(Tile tile) {
-            for (int y = tile.top(); y < tile.bottom(); y++) {
-                for (int x = tile.left(); x < tile.right(); x++) {
-                    LightSum light = named(x, y);
-                    film.set(x, y, light.red(), light.green(), light.blue());
-                }
-            }
-        }
+    /** The light of the ray through a place of the picture. */
+    LightSum ray(Shader shader, double x, double y, long key) {
+        return shader.light(pixelRays, x, y, key);
+    }
 
-        private LightSum named(int x, int y) {
-            try {
-                return light(shader, x, y);
-            } catch (RuntimeException defect) {
-                throw new IllegalStateException("pixel " + x + ", " + y + ": " + defect, defect);
-            }
-        }
+    /** Key of a pixel's random numbers. */
+    long key(int x, int y) {
+        return CounterRandom.bits(CounterRandom.bits(settings.seed(), x), y);
     }
 }

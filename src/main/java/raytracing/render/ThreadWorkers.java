@@ -27,7 +27,7 @@ final class ThreadWorkers implements Workers {
         try {
             first.run();
         } finally {
-            Renderer.waitFor(thread);
+            TileWorker.waitFor(thread);
             idle.getAndIncrement();
         }
         helper.failure.rethrow();

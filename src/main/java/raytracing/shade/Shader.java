@@ -44,6 +44,16 @@ public final class Shader {
     /** Counter of the key for a surface's mirrored ray; its lights use the counters from 0 on. */
     private static final long MIRROR = -1;
 
+    /**
+     * A fingerprint is the value of a polynomial whose coefficients are the numbers of the surfaces met, a number that
+     * no surface has for the end of each ray, and before all of them a 1, which makes surface 0 count. It is taken at
+     * any odd number with its bits well mixed.
+     */
+    private static final long FINGERPRINT_FACTOR = 0xd1342543de82ef95L;
+    private static final long NOTHING_MET = 1;
+    private static final long NOTHING_ASKED = 0;
+    private static final int END_OF_RAY = -1;
+
     private final Material[] materials;
     private final Light[] lights;
     private final double[] lightErrors;
@@ -58,6 +68,7 @@ public final class Shader {
     private final Weight weight = new Weight();
     private final Weight mirrorWeight = new Weight();
     private int surfacesMet;
+    private long fingerprint;
     private double mirroredX;
     private double mirroredY;
     private double mirroredZ;
@@ -67,13 +78,14 @@ public final class Shader {
      *
      * @param scene materials, lights and settings
      * @param compiled the same scene's surfaces
+     * @param shadowMethod how soft shadows are found
      */
-    public Shader(Scene scene, CompiledScene compiled) {
-        this(scene, compiled, NEGLIGIBLE_WEIGHT);
+    public Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod) {
+        this(scene, compiled, shadowMethod, NEGLIGIBLE_WEIGHT);
     }
 
     /** With another weight below which light is not followed: 0 follows all of it. */
-    Shader(Scene scene, CompiledScene compiled, double negligibleWeight) {
+    Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod, double negligibleWeight) {
         this.negligibleWeight = negligibleWeight;
         materials = scene.materials().toArray(new Material[0]);
         lights = scene.lights().toArray(new Light[0]);
@@ -84,7 +96,11 @@ public final class Shader {
         background = scene.settings().background();
         maxReflections = scene.settings().maxReflections();
         walk = new RayWalk(compiled);
-        shadows = new SoftShadows(compiled, scene.settings().shadowRayRoot(), lights.length);
+        shadows = new SoftShadows(compiled, root(shadowMethod, scene), lights.length);
+    }
+
+    private static int root(ShadowMethod method, Scene scene) {
+        return ((ShadowMethod.Sampled) method).root().orElse(scene.settings().shadowRayRoot());
     }
 
     /**
@@ -98,6 +114,7 @@ public final class Shader {
      */
     public LightSum light(PixelRays rays, double x, double y, long key) {
         pixel.clear();
+        fingerprint = NOTHING_ASKED;
         if (rays.start(x, y, walk)) {
             followAll(key);
         }
@@ -118,15 +135,27 @@ public final class Shader {
         return pixel;
     }
 
+    /**
+     * What was seen, mirrored and through transparent surfaces too, in one number: two rays of the eye that met the
+     * same surfaces in the same order have the same one, others have others but for a chance of about 1 in 2^64.
+     *
+     * @return a hash of the surfaces that the rays of the last {@link #light} met; 0 where the lens shows black
+     */
+    public long fingerprint() {
+        return fingerprint;
+    }
+
     private void followAll(long key) {
         branches.clear();
         surfacesMet = 0;
+        fingerprint = NOTHING_MET;
         weight.set(1, 1, 1);
         int reflections = 0;
         long rayKey = key;
         boolean goesOn = true;
         while (goesOn) {
             follow(reflections, rayKey);
+            fingerprint = FINGERPRINT_FACTOR * fingerprint + END_OF_RAY;
             goesOn = surfacesMet < MOST_SURFACES && branches.next();
             if (goesOn) {
                 branches.start(walk);
@@ -154,6 +183,7 @@ public final class Shader {
         int passed = 0;
         while (walk.advance()) {
             surfacesMet++;
+            fingerprint = FINGERPRINT_FACTOR * fingerprint + walk.surface();
             Material material = materials[walk.material()];
             double transparency = material.transparency();
             long hitKey = CounterRandom.bits(key, passed++);

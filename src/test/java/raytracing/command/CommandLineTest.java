@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.compiled.ShadowMode;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
+import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
 
 class CommandLineTest {
@@ -38,15 +39,17 @@ class CommandLineTest {
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "s.txt o.png 30 20 --threads 3 --seed 5 --opaque-shadows",
-        "--opaque-shadows --seed=5 s.txt --threads=3 o.png 30 20",
-        "--threads 3 --seed 5 --opaque-shadows -- s.txt o.png 30 20",
-        "--threads 9 --threads 3 s.txt --seed 4 o.png --seed 5 30 --opaque-shadows --opaque-shadows 20",
+        "s.txt o.png 30 20 --threads 3 --seed 5 --samples 4 --opaque-shadows",
+        "--opaque-shadows --samples=4 --seed=5 s.txt --threads=3 o.png 30 20",
+        "--threads 3 --seed 5 --samples 4 --opaque-shadows -- s.txt o.png 30 20",
+        "--threads 9 --threads 3 s.txt --seed 4 o.png --samples 2 --seed 5 30 --opaque-shadows --opaque-shadows 20 "
+            + "--samples 4",
     })
     void optionsMayStandAnywhereAndTheLastCounts(String line) throws RayTracerException {
         RenderSettings settings = draw(line).settings();
         assertEquals(RenderSettings.DEFAULT.withSize(30, 20).withSeed(5)
             .withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT)
+            .withSampling(new PixelSampling(4, PixelSampling.Where.EDGES))
             .withWorkers(3, RenderSettings.DEFAULT_TILE_SIZE), settings);
     }
 
@@ -88,9 +91,13 @@ class CommandLineTest {
         "s.txt o.png --threads=    | --threads: must be a whole number from 1 to 1024, got",
         "s.txt o.png --seed x      | --seed: must be a whole number of at most 18 digits, got x",
         "s.txt o.png --seed 1e3    | --seed: must be a whole number of at most 18 digits, got 1e3",
+        "s.txt o.png --samples 0   | --samples: must be a whole number from 1 to 32, got 0",
+        "s.txt o.png --samples 33  | --samples: must be a whole number from 1 to 32, got 33",
+        "s.txt o.png --samples 2x2 | --samples: must be a whole number from 1 to 32, got 2x2",
+        "s.txt o.png --samples     | --samples: needs a value, see --help",
         "s.txt o.png --help=yes    | --help: takes no value, got yes",
-        "s.txt o.png --sead 1      | --sead: unknown option, expected --threads, --seed, --opaque-shadows, --help or --version",
-        "-h                        | -h: unknown option, expected --threads, --seed, --opaque-shadows, --help or --version",
+        "s.txt o.png --sead 1      | --sead: unknown option, expected --threads, --seed, --samples, --opaque-shadows, --help or --version",
+        "-h                        | -h: unknown option, expected --threads, --seed, --samples, --opaque-shadows, --help or --version",
     })
     void whatIsWrongIsSaidInOneLine(String line, String expected) {
         RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
@@ -108,7 +115,8 @@ class CommandLineTest {
     void theHelpFitsAScreenAndNamesEveryOption() {
         assertTrue(CommandLine.HELP.lines().count() <= 24);
         assertTrue(CommandLine.HELP.lines().allMatch(line -> line.length() <= 80));
-        for (String option : new String[] {"--threads", "--seed", "--opaque-shadows", "--help", "--version", "--"}) {
+        for (String option : new String[] {"--threads", "--seed", "--samples", "--opaque-shadows", "--help",
+            "--version", "--"}) {
             assertTrue(CommandLine.HELP.contains("  " + option + " "), option);
         }
     }

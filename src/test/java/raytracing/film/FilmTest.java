@@ -51,4 +51,31 @@ class FilmTest {
     void aSizeBeyondTheLargestArrayIsRefused() {
         assertThrows(ArithmeticException.class, () -> new Film(100_000, 100_000));
     }
+
+    @Test
+    void aCopyHasThePictureAndPixelsOfItsOwn() {
+        Film film = new Film(2, 1);
+        film.set(1, 0, 7, 0.5, 0);
+        Film copy = film.copy();
+        film.set(1, 0, 0, 0, 0);
+        assertEquals(new Color(7, 0.5, 0), copy.get(1, 0));
+        assertEquals(2, copy.width());
+        assertEquals(1, copy.height());
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "the largest difference counts, 0.5,  0.2,  0.5,  0.6, 0.4",
+        "in either direction,           0.5,  0.6,  0.5,  0.2, 0.4",
+        "light above 1 looks like 1,    0.75, 50,   1,    1,   0.25",
+        "the same,                      0.3,  0.4,  0.3,  0.4, 0",
+    })
+    void contrastIsThatOfThePicture(String why, double red, double green, double otherRed, double otherGreen,
+                                    double expected) {
+        Film film = new Film(2, 3);
+        film.set(1, 2, red, green, 1);
+        film.set(0, 1, otherRed, otherGreen, 1);
+        assertEquals(expected, film.contrast(1, 2, 0, 1), 1e-15, why);
+        assertEquals(expected, film.contrast(0, 1, 1, 2), 1e-15, why);
+    }
 }

@@ -22,7 +22,7 @@ import raytracing.scene.Scene;
 
 class RendererTest {
     /** Soft shadows, a mirror and a transparent ball: everything that draws random numbers. */
-    private static final Scene SCENE = SceneText.scene(
+    static final Scene SCENE = SceneText.scene(
         "cam 0 2 -6   0 0 0   0 1 0   1 1",
         "set 0.2 0.3 0.4   3 4",
         "mtl 0.8 0.8 0.8   0 0 0         0 0 0         1  0",

@@ -33,6 +33,16 @@ class ScaledSceneTest {
             new Renderer(scaled(scene, scale), SMALL).render());
     }
 
+    @ParameterizedTest(name = "{0} times {1}")
+    @MethodSource("scenesAndScales")
+    void theSamePixelsAreRefinedInTheSameWay(Path file, double scale) throws Exception {
+        RenderSettings smooth = SMALL.withSize(40, 40)
+            .withSampling(new PixelSampling(2, PixelSampling.Where.EDGES));
+        Scene scene = RayTracer.parseScene(file);
+        RendererTest.assertSamePixels(new Renderer(scene, smooth).render(),
+            new Renderer(scaled(scene, scale), smooth).render());
+    }
+
     private static Scene scaled(Scene scene, double scale) {
         Camera camera = scene.camera();
         List<Surface> surfaces = scene.surfaces().stream().map(surface -> scaled(surface, scale)).toList();

@@ -29,7 +29,7 @@ class LeftOutLightTest {
 
     private static Film drawn(Scene scene, double negligibleWeight) {
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        Shader shader = new Shader(scene, compiled, negligibleWeight);
+        Shader shader = new Shader(scene, compiled, ShadowMethod.OF_THE_SCENE, negligibleWeight);
         PixelRays rays = new PixelRays(scene.camera(), SIZE, SIZE);
         Film film = new Film(SIZE, SIZE);
         for (int y = 0; y < SIZE; y++) {

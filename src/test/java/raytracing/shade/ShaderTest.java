@@ -1,10 +1,12 @@
 package raytracing.shade;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -12,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.SceneText;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
+import raytracing.compiled.PixelRays;
 import raytracing.compiled.ShadowMode;
 import raytracing.geometry.Ray;
 import raytracing.math.Vector;
@@ -25,13 +28,13 @@ class ShaderTest {
 
     private static Color light(Ray ray, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene)).light(ray, 1).total();
+        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE).light(ray, 1).total();
     }
 
     /** With nothing left out: for tests whose light comes from far down a chain of reflections. */
     private static Color allLight(Ray ray, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), 0).light(ray, 1).total();
+        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, 0).light(ray, 1).total();
     }
 
     private static CompiledScene compiled(Scene scene) {
@@ -254,5 +257,70 @@ class ShaderTest {
             () -> light(ALONG_Z, "set 0.25 0.5 1 1 10", balls.toString()));
         assertEquals(2 * found.red(), found.green(), 1e-9 * found.green());
         assertTrue(found.red() > 0.25 * 20);
+    }
+
+    private static long fingerprint(double x, double y, String... lines) {
+        Scene scene = SceneText.scene(CAM + "\n" + SET + "\n" + String.join("\n", lines));
+        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE);
+        shader.light(new Ray(new Vector(x, y, -5), new Vector(0, 0, 1)), 1);
+        return shader.fingerprint();
+    }
+
+    /** A mirror and glass before a wall, and a ball behind the eye; the ray goes along z. */
+    private static final String[] MIRROR_AND_GLASS = {
+        "mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 0.5", "mtl 1 1 1  0 0 0  0 0 0  1 0",
+        "box 0 0 0  2 1", "sph 0 0 3  0.5 2", "sph 0 0 -9  0.5 2", "pln 0 0 1  9 2"};
+
+    @Test
+    void raysThatMeetTheSameSurfacesHaveTheSameFingerprint() {
+        assertEquals(fingerprint(0, 0, MIRROR_AND_GLASS), fingerprint(0.1, -0.2, MIRROR_AND_GLASS));
+        assertEquals(fingerprint(0.6, 0, MIRROR_AND_GLASS), fingerprint(-0.7, 0.9, MIRROR_AND_GLASS));
+        assertEquals(fingerprint(2, 0, MIRROR_AND_GLASS), fingerprint(3, 4, MIRROR_AND_GLASS));
+    }
+
+    /** Only the wall; glass before it; and with the balls behind the glass and in the mirror. */
+    @Test
+    void raysThatMeetOtherSurfacesHaveAnotherFingerprint() {
+        long wall = fingerprint(2, 0, MIRROR_AND_GLASS);
+        long glass = fingerprint(0.6, 0, MIRROR_AND_GLASS);
+        long balls = fingerprint(0, 0, MIRROR_AND_GLASS);
+        assertEquals(3, Stream.of(wall, glass, balls).distinct().count());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sph 0 0 3  0.5 2", "sph 0 0 -9  0.5 2"})
+    void whatIsSeenThroughGlassOrInAMirrorAloneChangesTheFingerprint(String ball) {
+        String[] scene = {MIRROR_AND_GLASS[0], MIRROR_AND_GLASS[1], "box 0 0 0  2 1", ball};
+        assertNotEquals(fingerprint(0, 0, scene), fingerprint(0.6, 0, scene));
+    }
+
+    @Test
+    void twoBallsOfOneMaterialHaveDifferentFingerprints() {
+        String[] twins = {"mtl 1 1 1  0 0 0  0 0 0  1 0", "sph -2 0 0 1 1", "sph 2 0 0 1 1"};
+        assertNotEquals(fingerprint(-2, 0, twins), fingerprint(2, 0, twins));
+    }
+
+    /** Both rays meet the box and then a ball, one straight on and one mirrored. */
+    @Test
+    void itMattersWhichRayMeetsASurface() {
+        String[] behind = {MIRROR_AND_GLASS[0], MIRROR_AND_GLASS[1], "box 0 0 0  2 1", "sph 0 0 3  0.5 2"};
+        String[] mirrored = {MIRROR_AND_GLASS[0], MIRROR_AND_GLASS[1], "box 0 0 0  2 1", "sph 0 0 -9  0.5 2"};
+        assertNotEquals(fingerprint(0, 0, behind), fingerprint(0, 0, mirrored));
+    }
+
+    @Test
+    void clearGlassBeforeTheSkyHasAnotherFingerprintThanTheSky() {
+        assertNotEquals(fingerprint(0, 0), fingerprint(0, 0, "mtl 0 0 0  0 0 0  0 0 0  1 1", "box 0 0 0  2 1"));
+    }
+
+    @Test
+    void theSkyHasAnotherFingerprintThanTheBlackBesideALens() {
+        Scene scene = SceneText.scene("cam 0 0 0  0 0 1  0 1 0  0.1 2 true 0", "set 0 0 0  1 1");
+        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE);
+        PixelRays rays = new PixelRays(scene.camera(), 100, 100);
+        shader.light(rays, 50, 50, 1);
+        long sky = shader.fingerprint();
+        shader.light(rays, 1, 1, 1);
+        assertNotEquals(sky, shader.fingerprint());
     }
 }

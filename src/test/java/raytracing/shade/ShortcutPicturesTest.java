@@ -57,6 +57,7 @@ class ShortcutPicturesTest {
     }
 
     private static Shader shader(Scene scene, ShadowMode mode, Set<Shortcut> shortcuts) {
-        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE));
+        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE),
+            ShadowMethod.OF_THE_SCENE);
     }
 }
