@@ -7,13 +7,13 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /** Where a figure was measured. */
-final class Machine {
+public final class Machine {
     private static final Path LINUX_PROCESSORS = Path.of("/proc/cpuinfo");
 
     private Machine() {
     }
 
-    static String facts() throws IOException {
+    public static String facts() throws IOException {
         return Runtime.getRuntime().availableProcessors() + " processors (" + processor() + "), "
             + System.getProperty("os.name") + "; " + System.getProperty("java.vm.name") + " "
             + System.getProperty("java.runtime.version") + "; commit " + commit() + ".";
@@ -32,12 +32,12 @@ final class Machine {
     /** Says so if the sources are not exactly those of the commit. */
     private static String commit() throws IOException {
         String commit = output("git", "rev-parse", "--short", "HEAD");
-        String changes = output("git", "status", "--porcelain", "--", "src/main", "src/test", "src/bench");
+        String changes = output("git", "status", "--porcelain", "--", "src/main", "src/test", "src/bench", "src/report");
         return commit.isEmpty() ? "unknown" : commit + (changes.isEmpty() ? "" : " with changes");
     }
 
     /** Year, month and day of the commit. */
-    static String commitDate() throws IOException {
+    public static String commitDate() throws IOException {
         String date = output("git", "log", "-1", "--format=%cs");
         return date.isEmpty() ? "unknown" : date;
     }

@@ -9,12 +9,12 @@ import raytracing.numerics.Family;
 import raytracing.numerics.Shape;
 
 /** Tables of figures. */
-final class MarkdownTable {
+public final class MarkdownTable {
     private MarkdownTable() {
     }
 
     /** The first column has the names of the rows. */
-    static String of(List<String> heads, List<List<String>> rows) {
+    public static String of(List<String> heads, List<List<String>> rows) {
         List<String> columns = heads.subList(1, heads.size());
         return row(heads.get(0), columns)
             + "|---|" + "---:|".repeat(columns.size()) + "\n"

@@ -12,7 +12,7 @@ import raytracing.timed.ProcessCost;
  * Runs whole processes and says what they took. Processor time and memory come from GNU time, which asks the system
  * after the process has ended; Java cannot, and to watch a process while it runs is to miss its end.
  */
-final class MeasuredProcess {
+public final class MeasuredProcess {
     private static final double NANOSECONDS = 1e9;
     private static final boolean GNU_TIME = isGnuTimeThere();
 
@@ -44,7 +44,7 @@ final class MeasuredProcess {
     }
 
     /** Runs a command to its end, which must be a good one. */
-    static ProcessCost run(List<String> command) throws IOException {
+    public static ProcessCost run(List<String> command) throws IOException {
         Path report = Files.createTempFile("time", "");
         try {
             long start = System.nanoTime();
@@ -57,6 +57,16 @@ final class MeasuredProcess {
         } finally {
             Files.delete(report);
         }
+    }
+
+    /** Deletes a folder of files that processes left. */
+    static void delete(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(folder);
     }
 
     private static int status(List<String> command) throws IOException {

@@ -36,7 +36,7 @@ public final class PeerReport {
         try {
             MeasuredPart.replace(DOCUMENT, report.measured(folder));
         } finally {
-            delete(folder);
+            MeasuredProcess.delete(folder);
         }
     }
 
@@ -101,14 +101,5 @@ public final class PeerReport {
     private List<TimedScene> chosen(List<TimedScene> scenes) {
         List<TimedScene> asked = asked();
         return scenes.stream().filter(TimedScene::isThere).filter(asked::contains).toList();
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(folder);
     }
 }

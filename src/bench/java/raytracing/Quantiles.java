@@ -2,9 +2,17 @@ package raytracing;
 
 import java.util.List;
 
-/** What is left of many measurements: unlike a mean, it does not mind the one that was disturbed. */
-record Quantiles(int count, double lower, double median, double upper) {
-    static Quantiles of(List<Double> values) {
+/**
+ * What is left of many measurements: unlike a mean, it does not mind the one that was disturbed.
+ *
+ * @param count how many there were
+ * @param lower quartile
+ * @param median the middle one
+ * @param upper quartile
+ */
+public record Quantiles(int count, double lower, double median, double upper) {
+    /** Of at least one. */
+    public static Quantiles of(List<Double> values) {
         List<Double> sorted = values.stream().sorted().toList();
         return new Quantiles(sorted.size(), at(sorted, 0.25), at(sorted, 0.5), at(sorted, 0.75));
     }

@@ -97,7 +97,7 @@ class ProgramTest {
         "scene.txt none/out.png         | none/out.png: no such folder",
         "scene.txt out.png 40           | a width without a height: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
         "scene.txt out.png 40 0         | height: must be a whole number from 1 to 2147483647, got 0",
-        "scene.txt out.png --fast       | --fast: unknown option, expected --threads, --seed, --samples, --opaque-shadows, --help or --version",
+        "scene.txt out.png --fast       | --fast: unknown option, expected --threads, --seed, --shadows, --shadow-rays, --samples, --opaque-shadows, --help or --version",
         "scene.txt                      | no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
     })
     void theUsersMistakesEndWithStatus2AndOneSentence(String line, String expected) throws Exception {

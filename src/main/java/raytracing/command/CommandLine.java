@@ -5,12 +5,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import raytracing.compiled.ShadowMode;
 import raytracing.film.Film;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
+import raytracing.shade.ShadowMethod;
 
 /**
  * Reads the words of a command line: SCENE OUTPUT [WIDTH HEIGHT], and options that may stand anywhere before a
@@ -29,6 +31,8 @@ public final class CommandLine {
         options (they may stand anywhere; "--threads 4" and "--threads=4" are the same)
           --threads N        use N threads instead of one for each processor
           --seed N           use other random numbers for soft shadows; default 1
+          --shadows exact    soft shadows without noise; default "sampled"
+          --shadow-rays N    N x N shadow rays, whatever the scene says
           --samples N        smooth edges: N x N rays in pixels on an edge; default 1
           --opaque-shadows   transparent surfaces cast full shadows instead of letting
                              light through
@@ -48,8 +52,13 @@ public final class CommandLine {
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
 
+    /** As in a scene file. */
+    private static final int LARGEST_SHADOW_RAY_ROOT = 1024;
+
     private final List<String> operands = new ArrayList<>();
     private RenderSettings settings = RenderSettings.DEFAULT;
+    private OptionalInt shadowRayRoot = OptionalInt.empty();
+    private boolean exactShadows;
     private boolean help;
     private boolean version;
 
@@ -107,10 +116,10 @@ public final class CommandLine {
 
     private static boolean takesValue(String name) throws RayTracerException {
         return switch (name) {
-            case "--threads", "--seed", "--samples" -> true;
+            case "--threads", "--seed", "--shadows", "--shadow-rays", "--samples" -> true;
             case "--opaque-shadows", "--help", "--version" -> false;
-            default -> throw new RayTracerException(name + ": unknown option, expected --threads, --seed, "
-                + "--samples, --opaque-shadows, --help or --version");
+            default -> throw new RayTracerException(name + ": unknown option, expected --threads, --seed, --shadows, "
+                + "--shadow-rays, --samples, --opaque-shadows, --help or --version");
         };
     }
 
@@ -126,10 +135,32 @@ public final class CommandLine {
         switch (name) {
             case "--threads" ->
                 settings = settings.withWorkers(wholeNumber(name, value, MOST_THREADS), settings.tileSize());
+            case "--shadows" -> exactShadows = isExact(value);
+            case "--shadow-rays" ->
+                shadowRayRoot = OptionalInt.of(wholeNumber(name, value, LARGEST_SHADOW_RAY_ROOT));
             case "--samples" -> settings = settings.withSampling(
                 new PixelSampling(wholeNumber(name, value, MOST_SAMPLES), PixelSampling.Where.EDGES));
             default -> settings = settings.withSeed(seed(value));
         }
+    }
+
+    private static boolean isExact(String method) throws RayTracerException {
+        return switch (method) {
+            case "exact" -> true;
+            case "sampled" -> false;
+            default -> throw new RayTracerException("--shadows: must be sampled or exact, got " + method);
+        };
+    }
+
+    private ShadowMethod shadowMethod() throws RayTracerException {
+        if (!exactShadows) {
+            return new ShadowMethod.Sampled(shadowRayRoot);
+        }
+        if (shadowRayRoot.isPresent()) {
+            throw new RayTracerException("--shadow-rays: exact shadows need none, so it cannot stand beside "
+                + "--shadows exact");
+        }
+        return new ShadowMethod.Exact();
     }
 
     private static long seed(String value) throws RayTracerException {
@@ -165,7 +196,8 @@ public final class CommandLine {
         if (operands.size() == 4) {
             settings = sized(format.get());
         }
-        return new Command.Draw(path(operands.get(0)), path(output), format.get(), settings);
+        return new Command.Draw(path(operands.get(0)), path(output), format.get(),
+            settings.withShadowMethod(shadowMethod()));
     }
 
     private static String count(int operands) {

@@ -83,6 +83,15 @@ final class BoxArray extends BodyArray {
         }
     }
 
+    /** Adds the shadow of a box on the square of a shaft. */
+    void addShadow(ShadowShaft shaft, int i, BoxShadow shadow, double transmittance) {
+        double fx = x[i] - shaft.px;
+        double fy = y[i] - shaft.py;
+        double fz = z[i] - shaft.pz;
+        double size = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + half[i];
+        shadow.add(shaft, fx, fy, fz, half[i], shaft.margin + ShadowShaft.ROUNDING * size, transmittance);
+    }
+
     /** Whether the line of a shaft to (endX, endY, endZ) crosses a box. */
     boolean isCrossed(ShadowShaft shaft, int i) {
         double qx = shaft.endX();

@@ -97,6 +97,13 @@ final class BoxObstacles {
         return Math.max(x, Math.max(y, z));
     }
 
+    /** Adds the shadows of these boxes on the shaft's square. */
+    void addShadows(ShadowShaft shaft, BoxShadow shadow, double[] transmittanceOf) {
+        for (int i = 0; i < count; i++) {
+            boxes.addShadow(shaft, entry[i], shadow, transmittanceOf[number[i]]);
+        }
+    }
+
     /** Adds the boxes that the shaft's present line crosses. */
     void addCrossed(ShadowShaft shaft) {
         for (int i = 0; i < count && !shaft.crossed.isDark(); i++) {

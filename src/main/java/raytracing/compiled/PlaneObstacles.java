@@ -1,9 +1,13 @@
 package raytracing.compiled;
 
 import java.util.Arrays;
+import raytracing.area.ConvexShadows;
 
 /** The planes that some lines of a shaft cross and others do not. One thread, shaft after shaft. */
 final class PlaneObstacles {
+    /** Instead of a gap that is in doubt. */
+    private static final double ON_THE_PLANE = 0;
+
     private final PlaneArray planes;
     private int[] entry = new int[4];
     private int[] number = new int[4];
@@ -50,7 +54,7 @@ final class PlaneObstacles {
         }
         entry[count] = i;
         number[count] = surface;
-        this.gap[count] = gap;
+        this.gap[count] = Math.abs(gap) > doubt ? gap : ON_THE_PLANE;
         this.middleGap[count] = middleGap;
         this.alongU[count] = alongU;
         this.alongV[count] = alongV;
@@ -66,6 +70,17 @@ final class PlaneObstacles {
         alongU = Arrays.copyOf(alongU, 2 * count);
         alongV = Arrays.copyOf(alongV, 2 * count);
         doubt = Arrays.copyOf(doubt, 2 * count);
+    }
+
+    /** Adds the shadows of these planes on the shaft's square: all beyond them. */
+    void addShadows(ConvexShadows shadows, double[] transmittanceOf) {
+        for (int i = 0; i < count; i++) {
+            if (gap[i] != ON_THE_PLANE) {
+                double towards = gap[i] > 0 ? 1 : -1;
+                shadows.beginFigure(transmittanceOf[number[i]]);
+                shadows.addLine(towards * alongU[i], towards * alongV[i], -towards * middleGap[i]);
+            }
+        }
     }
 
     /** Adds the planes that the shaft's line to (x, y) of the light square crosses. */

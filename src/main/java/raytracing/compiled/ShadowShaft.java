@@ -23,8 +23,20 @@ public final class ShadowShaft {
      */
     static final double ROUNDING = 0x1p-45;
 
-    /** More obstacles than this are not kept: then lines are asked one by one what they cross. */
-    private static final int MOST_OBSTACLES = 64;
+    /** What a shaft is asked for. */
+    public enum Use {
+        /** Single lines: where there are more obstacles than this, they are asked one by one what they cross. */
+        LINES(64),
+
+        /** The shadows of all obstacles, so these are always sorted; of so many at most. */
+        AREAS(128);
+
+        private final int mostObstacles;
+
+        Use(int mostObstacles) {
+            this.mostObstacles = mostObstacles;
+        }
+    }
 
     /** The hit, and how far each part of it may be off. */
     double px;
@@ -80,6 +92,7 @@ public final class ShadowShaft {
     final BoxObstacles boxes;
 
     private final CompiledScene scene;
+    private final Use use;
     private final ShadowLine line;
     private final PyramidWalk pyramidWalk = new PyramidWalk();
     private final Basis square = new Basis();
@@ -97,9 +110,11 @@ public final class ShadowShaft {
      * A shaft that is not aimed.
      *
      * @param scene the surfaces
+     * @param use what it will be asked for
      */
-    public ShadowShaft(CompiledScene scene) {
+    public ShadowShaft(CompiledScene scene, Use use) {
         this.scene = scene;
+        this.use = use;
         line = new ShadowLine(scene);
         certain = new CrossedSurfaces(scene.transmittances());
         crossed = new CrossedSurfaces(scene.transmittances());
@@ -163,7 +178,7 @@ public final class ShadowShaft {
         spheres.clear();
         planes.clear();
         boxes.clear();
-        asksLines = !scene.uses(Shortcut.SHADOW_SHAFTS) || wasDark && scene.hasHierarchy();
+        asksLines = use == Use.LINES && (!scene.uses(Shortcut.SHADOW_SHAFTS) || wasDark && scene.hasHierarchy());
         if (!asksLines) {
             scene.addTouched(this, pyramidWalk);
             wasDark = certain.isDark();
@@ -191,7 +206,7 @@ public final class ShadowShaft {
 
     /** Whether surfaces should still be sorted: there is light left, and not so many obstacles that lines are as good. */
     boolean isWorthSorting() {
-        return !certain.isDark() && spheres.count() + boxes.count() <= MOST_OBSTACLES;
+        return !certain.isDark() && spheres.count() + boxes.count() <= use.mostObstacles;
     }
 
     /** Whether a box of these half extents, margin included, with its centre (fx, fy, fz) from the hit is beside the shaft. */
@@ -238,6 +253,33 @@ public final class ShadowShaft {
      */
     public double settledTransmittance() {
         return settledTransmittance;
+    }
+
+    /**
+     * Whether the light is so narrow or so far away that rounding moves it by more than its width.
+     *
+     * @return true if only a line to its middle makes sense
+     */
+    public boolean isNarrowerThanRounding() {
+        return halfWidth < ROUNDING * depth;
+    }
+
+    /**
+     * Whether all obstacles are known. There may be too many for that.
+     *
+     * @return false if only lines can be asked
+     */
+    public boolean isSorted() {
+        return !asksLines;
+    }
+
+    HitPoint hit() {
+        return hit;
+    }
+
+    /** Whether the body that was hit hides some of the square. */
+    boolean ownBodyIsObstacle() {
+        return ownBodyIsObstacle;
     }
 
     /**

@@ -117,6 +117,10 @@ final class SphereArray extends BodyArray {
         }
     }
 
+    double radius(int i) {
+        return radius[i];
+    }
+
     /** Whether the line of a shaft to (endX, endY, endZ) crosses a sphere. */
     boolean isCrossed(ShadowShaft shaft, int i) {
         return SphereKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError,

@@ -120,6 +120,13 @@ final class SphereObstacles {
         doubt = Arrays.copyOf(doubt, 2 * count);
     }
 
+    /** Adds the shadows of these spheres on the shaft's square. */
+    void addShadows(ShadowShaft shaft, SphereShadow shadow) {
+        for (int i = 0; i < count; i++) {
+            shadow.add(shaft, across[i], up[i], ahead[i] / shaft.depth, spheres.radius(entry[i]), number[i]);
+        }
+    }
+
     /** Adds the spheres that the shaft's line to (x, y) of the light square crosses. */
     void addCrossed(ShadowShaft shaft, double x, double y) {
         double squaredLength = x * x + y * y + shaft.depth * shaft.depth;

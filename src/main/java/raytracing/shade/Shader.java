@@ -96,11 +96,7 @@ public final class Shader {
         background = scene.settings().background();
         maxReflections = scene.settings().maxReflections();
         walk = new RayWalk(compiled);
-        shadows = new SoftShadows(compiled, root(shadowMethod, scene), lights.length);
-    }
-
-    private static int root(ShadowMethod method, Scene scene) {
-        return ((ShadowMethod.Sampled) method).root().orElse(scene.settings().shadowRayRoot());
+        shadows = SoftShadows.of(compiled, shadowMethod, scene.settings().shadowRayRoot(), lights.length);
     }
 
     /**

@@ -14,6 +14,7 @@ import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
+import raytracing.shade.ShadowMethod;
 
 class CommandLineTest {
     private static Command.Draw draw(String line) throws RayTracerException {
@@ -64,6 +65,14 @@ class CommandLineTest {
     }
 
     @Test
+    void shadowsAreTheScenesUnlessTheUserSaysOtherwise() throws RayTracerException {
+        assertEquals(ShadowMethod.OF_THE_SCENE, draw("s.txt o.png").settings().shadowMethod());
+        assertEquals(ShadowMethod.OF_THE_SCENE, draw("s.txt o.png --shadows sampled").settings().shadowMethod());
+        assertEquals(ShadowMethod.Sampled.withRoot(7), draw("s.txt o.png --shadow-rays 7").settings().shadowMethod());
+        assertEquals(new ShadowMethod.Exact(), draw("s.txt o.png --shadows=exact").settings().shadowMethod());
+    }
+
+    @Test
     void helpAndVersionNeedNoNames() throws RayTracerException {
         assertEquals(new Command.Help(), CommandLine.parse("--help"));
         assertEquals(new Command.Version(), CommandLine.parse("--version"));
@@ -91,13 +100,17 @@ class CommandLineTest {
         "s.txt o.png --threads=    | --threads: must be a whole number from 1 to 1024, got",
         "s.txt o.png --seed x      | --seed: must be a whole number of at most 18 digits, got x",
         "s.txt o.png --seed 1e3    | --seed: must be a whole number of at most 18 digits, got 1e3",
+        "s.txt o.png --shadows no  | --shadows: must be sampled or exact, got no",
+        "s.txt o.png --shadow-rays 0 | --shadow-rays: must be a whole number from 1 to 1024, got 0",
+        "s.txt o.png --shadow-rays 1025 | --shadow-rays: must be a whole number from 1 to 1024, got 1025",
+        "s.txt o.png --shadow-rays 5 --shadows exact | --shadow-rays: exact shadows need none, so it cannot stand beside --shadows exact",
         "s.txt o.png --samples 0   | --samples: must be a whole number from 1 to 32, got 0",
         "s.txt o.png --samples 33  | --samples: must be a whole number from 1 to 32, got 33",
         "s.txt o.png --samples 2x2 | --samples: must be a whole number from 1 to 32, got 2x2",
         "s.txt o.png --samples     | --samples: needs a value, see --help",
         "s.txt o.png --help=yes    | --help: takes no value, got yes",
-        "s.txt o.png --sead 1      | --sead: unknown option, expected --threads, --seed, --samples, --opaque-shadows, --help or --version",
-        "-h                        | -h: unknown option, expected --threads, --seed, --samples, --opaque-shadows, --help or --version",
+        "s.txt o.png --sead 1      | --sead: unknown option, expected --threads, --seed, --shadows, --shadow-rays, --samples, --opaque-shadows, --help or --version",
+        "-h                        | -h: unknown option, expected --threads, --seed, --shadows, --shadow-rays, --samples, --opaque-shadows, --help or --version",
     })
     void whatIsWrongIsSaidInOneLine(String line, String expected) {
         RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
@@ -115,7 +128,8 @@ class CommandLineTest {
     void theHelpFitsAScreenAndNamesEveryOption() {
         assertTrue(CommandLine.HELP.lines().count() <= 24);
         assertTrue(CommandLine.HELP.lines().allMatch(line -> line.length() <= 80));
-        for (String option : new String[] {"--threads", "--seed", "--samples", "--opaque-shadows", "--help",
+        for (String option : new String[] {"--threads", "--seed", "--shadows exact", "--shadow-rays",
+            "--samples", "--opaque-shadows", "--help",
             "--version", "--"}) {
             assertTrue(CommandLine.HELP.contains("  " + option + " "), option);
         }

@@ -76,7 +76,7 @@ class ShadowShaftTest {
     private void assertSameBits(CompiledScene scene, Hit hit, Vector light, double width, SplittableRandom random) {
         HitPoint point = new HitPoint();
         point.take(hit);
-        ShadowShaft shaft = new ShadowShaft(scene);
+        ShadowShaft shaft = new ShadowShaft(scene, ShadowShaft.Use.LINES);
         ShadowLine line = new ShadowLine(scene);
         double error = PointError.written(light);
         shaft.aim(point, hit.surface(), light.x(), light.y(), light.z(), error, width);
@@ -218,7 +218,7 @@ class ShadowShaftTest {
     private static void assertSettled(double expected, CompiledScene scene) {
         HitPoint floor = new HitPoint();
         floor.take(new Hit(0, 0, 1, Vector.ZERO, 0x1p-51, new Vector(0, 1, 0), Departure.OUTWARD));
-        ShadowShaft shaft = new ShadowShaft(scene);
+        ShadowShaft shaft = new ShadowShaft(scene, ShadowShaft.Use.LINES);
         shaft.aim(floor, 0, 0, 10, 0, 0x1p-48, 2);
         assertTrue(shaft.isSettled());
         assertEquals(expected, shaft.settledTransmittance());

@@ -15,6 +15,7 @@ import raytracing.geometry.Surface;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
 import raytracing.scene.Scene;
+import raytracing.shade.ShadowMethod;
 
 /** A law of scenes without a unit: multiplying every length by a power of two changes no bit of the film. */
 class ScaledSceneTest {
@@ -41,6 +42,15 @@ class ScaledSceneTest {
         Scene scene = RayTracer.parseScene(file);
         RendererTest.assertSamePixels(new Renderer(scene, smooth).render(),
             new Renderer(scaled(scene, scale), smooth).render());
+    }
+
+    @ParameterizedTest(name = "{0} times {1}")
+    @MethodSource("scenesAndScales")
+    void exactShadowsAreTheSameBitForBit(Path file, double scale) throws Exception {
+        RenderSettings exact = SMALL.withShadowMethod(new ShadowMethod.Exact());
+        Scene scene = RayTracer.parseScene(file);
+        RendererTest.assertSamePixels(new Renderer(scene, exact).render(),
+            new Renderer(scaled(scene, scale), exact).render());
     }
 
     private static Scene scaled(Scene scene, double scale) {

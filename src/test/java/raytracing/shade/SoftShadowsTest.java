@@ -36,7 +36,7 @@ class SoftShadowsTest {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces)
             + "\nlgt 0 10 0 1 1 1 1 " + shadowIntensity + " " + width);
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        return new SoftShadows(compiled, root, 1).arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, key);
+        return new SampledShadows(compiled, root, 1).arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, key);
     }
 
     @ParameterizedTest
@@ -123,7 +123,7 @@ class SoftShadowsTest {
         int root = 8;
         Scene scene = SceneText.scene(HEAD + surface + "\nlgt " + position + " 1 1 1 1 1 2");
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        SoftShadows shadows = new SoftShadows(compiled, root, 1);
+        SoftShadows shadows = new SampledShadows(compiled, root, 1);
         double sum = 0;
         for (int i = 0; i < keys; i++) {
             sum += shadows.arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, CounterRandom.bits(5, i));

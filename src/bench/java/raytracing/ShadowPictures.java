@@ -1,0 +1,166 @@
+package raytracing;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import raytracing.color.Color;
+import raytracing.film.Film;
+import raytracing.parse.RayTracerException;
+import raytracing.render.RenderSettings;
+import raytracing.render.Renderer;
+import raytracing.scene.Scene;
+import raytracing.shade.ShadowMethod;
+import raytracing.timed.Spread;
+
+/** Whole pictures with exact shadows beside those with sampled ones: their errors, and their times in turn. */
+final class ShadowPictures {
+    static final List<TimedScene> SCENES = List.of(TimedScene.SPHERES, TimedScene.POOL, TimedScene.ROOM, TimedScene.BUBBLES,
+        TimedScene.BOXES, TimedScene.CAROUSEL, TimedScene.ECLIPSE, TimedScene.FISHEYE_SCENE, TimedScene.INSIDE_SPHERE,
+        TimedScene.SUNFLOWER, TimedScene.THREE_LAMPS, TimedScene.NEST);
+
+    private static final int SIZE = 150;
+    private static final int PEERS_ROOT = 5;
+    private static final int ROOT_OF_REFERENCE = 64;
+    private static final int CHANNELS = 3;
+    private static final double VISIBLE = 1 / 512.0;
+    private static final ShadowMethod EXACT = new ShadowMethod.Exact();
+    private static final ShadowMethod SAMPLED = ShadowMethod.Sampled.withRoot(PEERS_ROOT);
+    private static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
+    private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
+
+    private ShadowPictures() {
+    }
+
+    static String section(Effort effort, Path folder) throws IOException, RayTracerException {
+        int runs = effort == Effort.FULL ? 8 : 2;
+        List<List<String>> rows = new ArrayList<>();
+        for (TimedScene scene : SCENES) {
+            if (scene.isThere()) {
+                rows.add(row(scene, runs, effort, folder));
+            }
+        }
+        return String.format(Locale.ROOT, "%d x %d pixels, linear light cut off at 1. The reference is the mean of %d runs with "
+            + "%d x %d shadow rays; its own error is\nwhat their spread shows. Times: frames of that size in a warm process, and "
+            + "whole cold processes at 500 x 500, exact\nover N = %d, %d pairs in turn; median (least - most).\n\n",
+            SIZE, SIZE, runs, ROOT_OF_REFERENCE, ROOT_OF_REFERENCE, PEERS_ROOT, effort.pairs())
+            + MarkdownTable.of(List.of("scene", "N = " + PEERS_ROOT + ", RMS", "exact, RMS", "reference's own", "exact, largest",
+                "exact, pixels off by more than 1/512, %", "warm time, exact / N = " + PEERS_ROOT,
+                "cold time, exact / N = " + PEERS_ROOT), rows);
+    }
+
+    private static List<String> row(TimedScene timed, int runs, Effort effort, Path folder)
+            throws IOException, RayTracerException {
+        Scene scene = timed.scene();
+        RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE);
+        double[] exact = shown(RayTracer.renderScene(scene, settings.withShadowMethod(EXACT)));
+        double[] sampled = shown(RayTracer.renderScene(scene, settings.withShadowMethod(SAMPLED)));
+        double[] mean = new double[exact.length];
+        double[] squares = new double[exact.length];
+        for (int run = 0; run < runs; run++) {
+            double[] picture = shown(RayTracer.renderScene(scene, settings.withSeed(RenderSettings.DEFAULT_SEED + 1 + run)
+                .withShadowMethod(ShadowMethod.Sampled.withRoot(ROOT_OF_REFERENCE))));
+            for (int i = 0; i < mean.length; i++) {
+                mean[i] += picture[i] / runs;
+                squares[i] += picture[i] * picture[i] / runs;
+            }
+        }
+        double variances = 0;
+        for (int i = 0; i < mean.length; i++) {
+            variances += Math.max(squares[i] - mean[i] * mean[i], 0) / (runs - 1);
+        }
+        System.out.println("Picture of " + timed.title());
+        return List.of(timed.title(), figure(rootMeanSquare(sampled, mean)), figure(rootMeanSquare(exact, mean)),
+            figure(Math.sqrt(variances / mean.length)), figure(largest(exact, mean)),
+            String.format(Locale.ROOT, "%.3f", 100 * shareOff(exact, mean)),
+            warmRatio(scene, settings, effort).shown(2), coldRatio(timed.file(folder), effort, folder).shown(2));
+    }
+
+    private static Spread warmRatio(Scene scene, RenderSettings settings, Effort effort) {
+        Renderer exact = new Renderer(scene, settings.withShadowMethod(EXACT));
+        Renderer sampled = new Renderer(scene, settings.withShadowMethod(SAMPLED));
+        long start = System.nanoTime();
+        while (System.nanoTime() - start < effort.warmUpNanoseconds()) {
+            exact.render();
+            sampled.render();
+        }
+        List<Double> ratios = new ArrayList<>();
+        for (int pair = 0; pair < effort.pairs(); pair++) {
+            double ours = nanoseconds(exact, effort);
+            ratios.add(ours / nanoseconds(sampled, effort));
+        }
+        return Spread.of(ratios).orElseThrow();
+    }
+
+    /** Of a row of frames: one alone may meet somebody else's work. */
+    private static double nanoseconds(Renderer renderer, Effort effort) {
+        long start = System.nanoTime();
+        int frames = 0;
+        do {
+            renderer.render();
+            frames++;
+        } while (System.nanoTime() - start < effort.measuredNanoseconds() / 10);
+        return (double) (System.nanoTime() - start) / frames;
+    }
+
+    private static Spread coldRatio(Path scene, Effort effort, Path folder) throws IOException {
+        List<Double> ratios = new ArrayList<>();
+        for (int pair = 0; pair < effort.pairs(); pair++) {
+            double exact = seconds(scene, folder, "--shadows", "exact");
+            ratios.add(exact / seconds(scene, folder, "--shadow-rays", String.valueOf(PEERS_ROOT)));
+        }
+        return Spread.of(ratios).orElseThrow();
+    }
+
+    private static double seconds(Path scene, Path folder, String option, String value) throws IOException {
+        return MeasuredProcess.run(List.of(JAVA.toString(), "-jar", JAR.toString(), scene.toString(),
+            folder.resolve("picture.png").toString(), option, value)).wallSeconds();
+    }
+
+    private static double[] shown(Film film) {
+        double[] channels = new double[CHANNELS * film.width() * film.height()];
+        int at = 0;
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                Color light = film.get(x, y);
+                channels[at++] = Film.shown(light.red());
+                channels[at++] = Film.shown(light.green());
+                channels[at++] = Film.shown(light.blue());
+            }
+        }
+        return channels;
+    }
+
+    private static double rootMeanSquare(double[] picture, double[] reference) {
+        double squares = 0;
+        for (int i = 0; i < picture.length; i++) {
+            squares += (picture[i] - reference[i]) * (picture[i] - reference[i]);
+        }
+        return Math.sqrt(squares / picture.length);
+    }
+
+    private static double largest(double[] picture, double[] reference) {
+        double largest = 0;
+        for (int i = 0; i < picture.length; i++) {
+            largest = Math.max(largest, Math.abs(picture[i] - reference[i]));
+        }
+        return largest;
+    }
+
+    private static double shareOff(double[] picture, double[] reference) {
+        int off = 0;
+        for (int pixel = 0; pixel < picture.length; pixel += CHANNELS) {
+            double largest = 0;
+            for (int channel = pixel; channel < pixel + CHANNELS; channel++) {
+                largest = Math.max(largest, Math.abs(picture[channel] - reference[channel]));
+            }
+            off += largest > VISIBLE ? 1 : 0;
+        }
+        return (double) off * CHANNELS / picture.length;
+    }
+
+    private static String figure(double value) {
+        return String.format(Locale.ROOT, "%.1e", value);
+    }
+}
