@@ -98,8 +98,10 @@ final class BoxObstacles {
     }
 
     /** Adds the shadows of these boxes on the shaft's square. */
-    void addShadows(ShadowShaft shaft, BoxShadow shadow, double[] transmittanceOf) {
-        for (int i = 0; i < count; i++) {
+    void addShadows(ShadowShaft shaft, BoxShadow shadow, double[] transmittanceOf, SceneOrder order) {
+        order.sort(number, count);
+        for (int k = 0; k < count; k++) {
+            int i = order.place(k);
             boxes.addShadow(shaft, entry[i], shadow, transmittanceOf[number[i]]);
         }
     }

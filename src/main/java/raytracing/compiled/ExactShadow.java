@@ -19,6 +19,7 @@ public final class ExactShadow {
     private final ConvexShadows shadows = new ConvexShadows();
     private final SphereShadow sphereShadow;
     private final BoxShadow boxShadow = new BoxShadow(shadows);
+    private final SceneOrder order = new SceneOrder();
 
     /**
      * No shadow yet.
@@ -67,8 +68,8 @@ public final class ExactShadow {
             }
         }
         shaft.planes.addShadows(shadows, transmittanceOf);
-        shaft.boxes.addShadows(shaft, boxShadow, transmittanceOf);
-        shaft.spheres.addShadows(shaft, sphereShadow);
+        shaft.boxes.addShadows(shaft, boxShadow, transmittanceOf, order);
+        shaft.spheres.addShadows(shaft, sphereShadow, order);
         return shaft.settledTransmittance() * shadows.share();
     }
 }

@@ -121,8 +121,10 @@ final class SphereObstacles {
     }
 
     /** Adds the shadows of these spheres on the shaft's square. */
-    void addShadows(ShadowShaft shaft, SphereShadow shadow) {
-        for (int i = 0; i < count; i++) {
+    void addShadows(ShadowShaft shaft, SphereShadow shadow, SceneOrder order) {
+        order.sort(number, count);
+        for (int k = 0; k < count; k++) {
+            int i = order.place(k);
             shadow.add(shaft, across[i], up[i], ahead[i] / shaft.depth, spheres.radius(entry[i]), number[i]);
         }
     }

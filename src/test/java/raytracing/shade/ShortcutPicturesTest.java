@@ -43,21 +43,26 @@ class ShortcutPicturesTest {
 
     private static void assertSamePictures(Scene scene, Set<Shortcut> some, int size) {
         for (ShadowMode mode : ShadowMode.values()) {
-            Shader all = shader(scene, mode, EnumSet.allOf(Shortcut.class));
-            Shader fewer = shader(scene, mode, some);
-            PixelRays rays = new PixelRays(scene.camera(), size, size);
-            for (int y = 0; y < size; y++) {
-                for (int x = 0; x < size; x++) {
-                    long key = (long) y * size + x;
-                    assertEquals(fewer.light(rays, x + 0.5, y + 0.5, key).total(),
-                        all.light(rays, x + 0.5, y + 0.5, key).total(), "pixel " + x + ", " + y);
-                }
+            assertSamePictures(scene, mode, ShadowMethod.OF_THE_SCENE, some, size);
+        }
+        assertSamePictures(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, new ShadowMethod.Exact(), some, size);
+    }
+
+    private static void assertSamePictures(Scene scene, ShadowMode mode, ShadowMethod method, Set<Shortcut> some,
+                                           int size) {
+        Shader all = shader(scene, mode, method, EnumSet.allOf(Shortcut.class));
+        Shader fewer = shader(scene, mode, method, some);
+        PixelRays rays = new PixelRays(scene.camera(), size, size);
+        for (int y = 0; y < size; y++) {
+            for (int x = 0; x < size; x++) {
+                long key = (long) y * size + x;
+                assertEquals(fewer.light(rays, x + 0.5, y + 0.5, key).total(),
+                    all.light(rays, x + 0.5, y + 0.5, key).total(), "pixel " + x + ", " + y);
             }
         }
     }
 
-    private static Shader shader(Scene scene, ShadowMode mode, Set<Shortcut> shortcuts) {
-        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE),
-            ShadowMethod.OF_THE_SCENE);
+    private static Shader shader(Scene scene, ShadowMode mode, ShadowMethod method, Set<Shortcut> shortcuts) {
+        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE), method);
     }
 }
