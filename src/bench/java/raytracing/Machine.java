@@ -32,7 +32,8 @@ public final class Machine {
     /** Says so if the sources are not exactly those of the commit. */
     private static String commit() throws IOException {
         String commit = output("git", "rev-parse", "--short", "HEAD");
-        String changes = output("git", "status", "--porcelain", "--", "src/main", "src/test", "src/bench", "src/report");
+        String changes = output("git", "status", "--porcelain", "--",
+            "src/main", "src/test", "src/bench", "src/report");
         return commit.isEmpty() ? "unknown" : commit + (changes.isEmpty() ? "" : " with changes");
     }
 

@@ -1,0 +1,91 @@
+package raytracing.report;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.util.Locale;
+import raytracing.film.Film;
+
+/** The part of the page about one scene. */
+final class SceneSection {
+    private static final int LEGEND_WIDTH = 200;
+    private static final int LEGEND_HEIGHT = 12;
+
+    private final SceneStudy study;
+    private final String anchor;
+
+    SceneSection(SceneStudy study, String anchor) {
+        this.study = study;
+        this.anchor = anchor;
+    }
+
+    String html() throws IOException {
+        StringBuilder html = new StringBuilder("<section class=\"scene\" id=\"" + anchor + "\">\n");
+        if (study.family(Family.SHADOWS).isEmpty()) {
+            html.append(heading(": soft shadows")).append(Texts.HARD_SHADOWS);
+        }
+        for (FamilyStudy family : study.families()) {
+            html.append(family(family));
+        }
+        return html.append("</section>\n").toString();
+    }
+
+    private String heading(String rest) {
+        return "<h2>" + Html.escaped(study.title() + rest) + "</h2>\n";
+    }
+
+    private String family(FamilyStudy family) throws IOException {
+        Verdict verdict = Verdict.of(family);
+        String sentences = Html.escaped(verdict.sentences() + " " + referenceSentence(family));
+        return "<article>\n" + heading(": " + family.family().title().toLowerCase(Locale.ROOT))
+            + "<p>" + sentences + "</p>\n<div class=\"figures\">\n" + plot(family) + Tables.settings(family).html()
+            + "</div>\n" + pictures(family) + "</article>\n";
+    }
+
+    private static String referenceSentence(FamilyStudy family) {
+        return "The reference's own error is about " + Shown.error(family.reference().ownError()) + ".";
+    }
+
+    private String plot(FamilyStudy family) throws IOException {
+        if (!family.hasErrors()) {
+            return "";
+        }
+        String name = anchor + "-" + family.family().name().toLowerCase(Locale.ROOT);
+        return "<div class=\"plot\">" + Plot.of(family).inPage(name, "Error against time, on logarithmic axes: "
+            + "the table beside it has all points.") + "</div>\n";
+    }
+
+    private String pictures(FamilyStudy family) throws IOException {
+        Film reference = family.reference().film();
+        StringBuilder html = new StringBuilder("<div class=\"pictures\">\n" + referenceFigure(reference));
+        for (Measurement measurement : PictureRow.of(family, study.shadowRoot())) {
+            String title = measurement.setting().title();
+            TimedError figures = family.figures(measurement);
+            html.append("<figure>")
+                .append(picture(measurement.film().toImage(), title))
+                .append(map(ErrorMap.of(measurement.film(), reference), "errors of " + title))
+                .append("<figcaption>").append(Html.escaped(title)).append("<br>")
+                .append(Html.escaped(Shown.duration(figures.milliseconds()) + ", " + Shown.error(figures.error())))
+                .append("</figcaption></figure>\n");
+        }
+        return html.append("</div>\n").toString();
+    }
+
+    private String picture(BufferedImage picture, String title) throws IOException {
+        return Html.picture(picture, study.title() + ", " + title);
+    }
+
+    /** A page with a dark theme turns its brightness round. */
+    private static String map(BufferedImage map, String description) throws IOException {
+        return Html.picture(map, description).replace("<img ", "<img class=\"map\" ");
+    }
+
+    /** Where the others have their errors, the reference has their scale. */
+    private String referenceFigure(Film reference) throws IOException {
+        return "<figure>" + picture(reference.toImage(), "reference")
+            + "<div class=\"legend\"><div>" + map(ColorScale.legend(LEGEND_WIDTH, LEGEND_HEIGHT),
+                "colours of the error maps")
+            + "<div class=\"ticks\"><span>0.0001</span><span>0.01</span><span>1</span></div>"
+            + "<p>absolute error in linear light, worst channel</p></div></div>"
+            + "<figcaption>reference<br>and colours of the errors</figcaption></figure>\n";
+    }
+}
