@@ -76,13 +76,14 @@ public final class DiscShadows {
     }
 
     /**
-     * Adds a ball that the apex is not in, cut by the plane.
+     * Adds a ball that the apex is not in, cut by the plane. The line that parts disc and cone goes through the two points
+     * where they touch. If there are none, one is wholly within the other, and counts alone.
      *
      * @param ballX its centre, seen from the apex
      * @param ballY y part
      * @param ballZ z part
      * @param ballRadius its radius
-     * @param radius of the disc in the plane, at least 0
+     * @param radius of the disc in the plane, above 0
      * @param passing share of light that comes through the ball, in [0, 1]
      */
     public void addThroughPlane(double ballX, double ballY, double ballZ, double ballRadius, double radius,
@@ -92,7 +93,14 @@ public final class DiscShadows {
         double z = scale * ballZ;
         double r = scale * ballRadius;
         double k = x * x + y * y + (z - r) * (z + r);
-        Disc disc = next(ballX, ballY, radius, -x, -y, (k - z * depth) / scale);
+        double beforeLine = k - z * depth - (x * x + y * y);
+        double reach = scale * radius * Math.sqrt(x * x + y * y);
+        if (beforeLine <= -reach) {
+            balls.add(ballX, ballY, ballZ, ballRadius, passing);
+            return;
+        }
+        Disc disc = beforeLine >= reach ? next(ballX, ballY, radius, 0, 0, 1)
+            : next(ballX, ballY, radius, -x, -y, (k - z * depth) / scale);
         disc.isAroundApex = false;
         disc.insidePassing = passing;
         disc.outsidePassing = 1;

@@ -39,8 +39,14 @@ final class SphereShadow {
                                   double passing) {
         if (mz * shaft.depth - k >= shaft.halfWidth * (Math.abs(mx) + Math.abs(my))) {
             shadows.balls().add(mx, my, mz, r, passing);
-        } else {
-            shadows.discs().addThroughPlane(mx, my, mz, r, discRadius(shaft, mx, my, mz, r), passing);
+            return;
+        }
+        double gap = mz - shaft.depth;
+        double squaredRadius = (r - gap) * (r + gap);
+        if (squaredRadius > 0) {
+            shadows.discs().addThroughPlane(mx, my, mz, r, Math.sqrt(squaredRadius), passing);
+        } else if (gap < 0) {
+            shadows.balls().add(mx, my, mz, r, passing);
         }
     }
 
