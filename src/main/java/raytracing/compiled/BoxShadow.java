@@ -13,10 +13,7 @@ final class BoxShadow {
     private final ConvexShadows shadows;
     private ShadowShaft shaft;
 
-    /**
-     * The way from the hit to the centre along each axis, and from the hit to the wall that faces it: 0 if that is
-     * open.
-     */
+    /** The way from the hit to the centre along each axis, and from the hit to the wall that faces it. */
     private final double[] toCentre = new double[AXES];
     private final double[] toWall = new double[AXES];
     private final boolean[] isFacing = new boolean[AXES];
@@ -50,7 +47,7 @@ final class BoxShadow {
         for (int i = 0; i < AXES; i++) {
             double distance = Math.abs(toCentre[i]) - half;
             isFacing[i] = distance >= -slack;
-            toWall[i] = distance > slack ? distance : 0;
+            toWall[i] = distance;
             isOutside |= distance > slack;
         }
         if (isOutside) {

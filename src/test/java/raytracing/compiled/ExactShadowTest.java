@@ -279,6 +279,22 @@ class ExactShadowTest {
         assertEquals(1, shareFromAbove("box 0 4 0 8 1", 2), ROUNDING);
     }
 
+    /** The point is on both balls, or as far inside or outside the second as rounding says, which is all the same. */
+    @Test
+    void aTwinOfTheOwnBallHidesNoMoreThanTheBallItself() {
+        SplittableRandom random = new SplittableRandom(1);
+        for (int i = 0; i < 300; i++) {
+            Vector direction =
+                new Vector(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0.1, 1)).unit();
+            Ray ray = new Ray(direction.times(3), direction.times(-1));
+            String ball = "sph 0 0 0 1 1\n";
+            Vector above = direction.times(3).plus(new Vector(0.3, 0.2, 0));
+            assertEquals(1, share(ball + ball, ray, above, 0.5), ROUNDING);
+            Vector low = new Vector(random.nextDouble(-5, 5), random.nextDouble(-5, 5), 4);
+            assertEquals(share(ball, ray, low, 6), share(ball + ball, ray, low, 6), ROUNDING);
+        }
+    }
+
     /** Only the order of sums changes. */
     @Test
     void theOrderOfTheSurfacesDoesNotMatter() {
