@@ -61,9 +61,6 @@ public final class BallShadows {
      * @param transmittance share of light that the ball lets through, in [0, 1]
      */
     public void add(double x, double y, double z, double radius, double transmittance) {
-        if (count == balls.length) {
-            balls = Arrays.copyOf(balls, 2 * count + 4);
-        }
         if (own.length <= count) {
             own = Arrays.copyOf(own, 2 * count + 4);
         }
@@ -71,8 +68,7 @@ public final class BallShadows {
             own[count] = new BallShadow();
         }
         own[count].set(x, y, z, radius, transmittance, depth);
-        balls[count] = own[count];
-        count++;
+        push(own[count]);
     }
 
     /** Adds a ball for a while. */

@@ -17,7 +17,7 @@ public final class ExactShadow {
     private final CompiledScene scene;
     private final double[] transmittanceOf;
     private final ConvexShadows shadows = new ConvexShadows();
-    private final SphereShadow sphereShadow;
+    private final SphereShadow sphereShadow = new SphereShadow(shadows);
     private final BoxShadow boxShadow = new BoxShadow(shadows);
     private final SceneOrder order = new SceneOrder();
 
@@ -29,7 +29,6 @@ public final class ExactShadow {
     public ExactShadow(CompiledScene scene) {
         this.scene = scene;
         transmittanceOf = scene.transmittances();
-        sphereShadow = new SphereShadow(shadows, transmittanceOf);
     }
 
     /**
@@ -69,7 +68,7 @@ public final class ExactShadow {
         }
         shaft.planes.addShadows(shadows, transmittanceOf);
         shaft.boxes.addShadows(shaft, boxShadow, transmittanceOf, order);
-        shaft.spheres.addShadows(shaft, sphereShadow, order);
+        shaft.spheres.addShadows(shaft, sphereShadow, transmittanceOf, order);
         return shaft.settledTransmittance() * shadows.share();
     }
 }

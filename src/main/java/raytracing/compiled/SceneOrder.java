@@ -1,8 +1,8 @@
 package raytracing.compiled;
 
 /**
- * The order in which some surfaces stand in the scene. A hierarchy finds them in another, and a sum of rounded shares depends
- * on it. One thread.
+ * The order in which some surfaces stand in the scene. A hierarchy finds them in another, and a sum of rounded shares
+ * depends on it. One thread.
  */
 final class SceneOrder {
     private int[] places = new int[16];

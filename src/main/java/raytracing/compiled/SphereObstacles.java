@@ -121,11 +121,12 @@ final class SphereObstacles {
     }
 
     /** Adds the shadows of these spheres on the shaft's square. */
-    void addShadows(ShadowShaft shaft, SphereShadow shadow, SceneOrder order) {
+    void addShadows(ShadowShaft shaft, SphereShadow shadow, double[] transmittanceOf, SceneOrder order) {
         order.sort(number, count);
         for (int k = 0; k < count; k++) {
             int i = order.place(k);
-            shadow.add(shaft, across[i], up[i], ahead[i] / shaft.depth, spheres.radius(entry[i]), number[i]);
+            shadow.add(shaft, across[i], up[i], ahead[i] / shaft.depth, spheres.radius(entry[i]),
+                transmittanceOf[number[i]]);
         }
     }
 

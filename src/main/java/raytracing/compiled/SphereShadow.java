@@ -9,24 +9,17 @@ import raytracing.area.ConvexShadows;
  */
 final class SphereShadow {
     private final ConvexShadows shadows;
-    private final double[] transmittanceOf;
 
-    SphereShadow(ConvexShadows shadows, double[] transmittanceOf) {
+    SphereShadow(ConvexShadows shadows) {
         this.shadows = shadows;
-        this.transmittanceOf = transmittanceOf;
     }
 
     /** Adds the shadow of a sphere with centre m, in the shaft's coordinates, and radius r. */
-    void add(ShadowShaft shaft, double mx, double my, double mz, double r, int surface) {
-        double passing = transmittanceOf[surface];
+    void add(ShadowShaft shaft, double mx, double my, double mz, double r, double passing) {
         double slack = shaft.margin + 2 * ShadowShaft.ROUNDING * (Math.abs(mx) + Math.abs(my) + Math.abs(mz) + r);
         double distance = Math.sqrt(mx * mx + my * my + mz * mz);
         if (distance > r + slack) {
-            if (mz + r + slack < shaft.depth) {
-                shadows.balls().add(mx, my, mz, r, passing);
-            } else {
-                addThroughSquare(shaft, mx, my, mz, r, (distance - r) * (distance + r), passing);
-            }
+            addOutside(shaft, mx, my, mz, r, (distance - r) * (distance + r), passing);
         } else if (distance < r - slack) {
             addAround(shaft, mx, my, mz, r, passing, 0, 0, 1);
         } else {
@@ -34,18 +27,16 @@ final class SphereShadow {
         }
     }
 
-    /** Mostly the square is wholly behind the tangent circle, where the disc does not matter. */
-    private void addThroughSquare(ShadowShaft shaft, double mx, double my, double mz, double r, double k,
-                                  double passing) {
-        if (mz * shaft.depth - k >= shaft.halfWidth * (Math.abs(mx) + Math.abs(my))) {
-            shadows.balls().add(mx, my, mz, r, passing);
-            return;
-        }
+    /**
+     * Of a sphere that the hit is not in, the disc matters only where the square is not wholly behind the tangent
+     * circle. A sphere behind the square throws no shadow on it.
+     */
+    private void addOutside(ShadowShaft shaft, double mx, double my, double mz, double r, double k, double passing) {
         double gap = mz - shaft.depth;
-        double squaredRadius = (r - gap) * (r + gap);
-        if (squaredRadius > 0) {
-            shadows.discs().addThroughPlane(mx, my, mz, r, Math.sqrt(squaredRadius), passing);
-        } else if (gap < 0) {
+        double behindCircle = mz * shaft.depth - k - shaft.halfWidth * (Math.abs(mx) + Math.abs(my));
+        if (Math.abs(gap) < r && behindCircle < 0) {
+            shadows.discs().addThroughPlane(mx, my, mz, r, Math.sqrt((r - gap) * (r + gap)), passing);
+        } else if (gap < r) {
             shadows.balls().add(mx, my, mz, r, passing);
         }
     }
