@@ -123,26 +123,17 @@ final class EdgeRules {
     }
 
     private static void add(Outcome outcome, Film one, Film everywhere, Film reference, boolean[] isEdge) {
-        double squaresToEverywhere = 0;
-        double squaresToReference = 0;
-        int refined = 0;
+        Film refined = one.copy();
+        int count = 0;
         for (int i = 0; i < isEdge.length; i++) {
-            int x = i % SIZE;
-            int y = i / SIZE;
-            Color light = (isEdge[i] ? everywhere : one).get(x, y);
-            squaresToEverywhere += squares(light, everywhere.get(x, y));
-            squaresToReference += squares(light, reference.get(x, y));
-            refined += isEdge[i] ? 1 : 0;
+            if (isEdge[i]) {
+                Color light = everywhere.get(i % SIZE, i / SIZE);
+                refined.set(i % SIZE, i / SIZE, light.red(), light.green(), light.blue());
+                count++;
+            }
         }
-        outcome.refined += (double) refined / isEdge.length;
-        outcome.toEverywhere += Math.sqrt(squaresToEverywhere / (3 * isEdge.length)) / STEP;
-        outcome.toReference += Math.sqrt(squaresToReference / (3 * isEdge.length)) / STEP;
-    }
-
-    private static double squares(Color found, Color expected) {
-        double red = Film.shown(found.red()) - Film.shown(expected.red());
-        double green = Film.shown(found.green()) - Film.shown(expected.green());
-        double blue = Film.shown(found.blue()) - Film.shown(expected.blue());
-        return red * red + green * green + blue * blue;
+        outcome.refined += (double) count / isEdge.length;
+        outcome.toEverywhere += Films.rootMeanSquare(refined, everywhere) / STEP;
+        outcome.toReference += Films.rootMeanSquare(refined, reference) / STEP;
     }
 }

@@ -1,5 +1,6 @@
-package raytracing.report;
+package raytracing;
 
+import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import raytracing.color.Color;
@@ -9,43 +10,50 @@ import raytracing.film.Film;
  * What two films of the same size have to do with each other, in linear light. Of light above 1 no picture shows how
  * much it is, and smooth edges cut it off before they take means: it counts as 1.
  */
-final class Films {
+public final class Films {
     private static final int CHANNELS = 3;
 
     private Films() {
     }
 
-    /** The film half-way between two. */
-    static Film mean(Film a, Film b) {
-        Film mean = new Film(a.width(), a.height());
-        for (int y = 0; y < a.height(); y++) {
-            for (int x = 0; x < a.width(); x++) {
-                Color p = a.get(x, y);
-                Color q = b.get(x, y);
-                mean.set(x, y, (p.red() + q.red()) / 2, (p.green() + q.green()) / 2, (p.blue() + q.blue()) / 2);
-            }
-        }
+    /** The mean of films, at least one. */
+    public static Film mean(List<Film> films) {
+        Film first = films.get(0);
+        Film mean = new Film(first.width(), first.height());
+        int count = films.size();
+        pixels(first).forEach(i -> {
+            double red = films.stream().mapToDouble(film -> at(film, i).red()).sum();
+            double green = films.stream().mapToDouble(film -> at(film, i).green()).sum();
+            double blue = films.stream().mapToDouble(film -> at(film, i).blue()).sum();
+            mean.set(i % first.width(), i / first.width(), red / count, green / count, blue / count);
+        });
         return mean;
     }
 
     /** Root of the mean square of all differences, over all channels of all pixels. */
-    static double rootMeanSquare(Film a, Film b) {
+    public static double rootMeanSquare(Film a, Film b) {
         double squares = differences(a, b).map(difference -> difference * difference).sum();
         return Math.sqrt(squares / ((double) CHANNELS * a.width() * a.height()));
     }
 
     /** The largest difference of a channel of a pixel. */
-    static double largest(Film a, Film b) {
+    public static double largest(Film a, Film b) {
         return differences(a, b).max().orElse(0);
     }
 
     /** Share of the pixels that differ at all, by whatever bit. */
-    static double shareChanged(Film a, Film b) {
+    public static double shareChanged(Film a, Film b) {
         return (double) pixels(a).filter(i -> !at(a, i).equals(at(b, i))).count() / (a.width() * a.height());
     }
 
+    /** Share of the pixels of which a channel differs by more than so much. */
+    public static double shareOffByMoreThan(Film a, Film b, double difference) {
+        return (double) pixels(a).filter(i -> largestOfPixel(at(a, i), at(b, i)) > difference).count()
+            / (a.width() * a.height());
+    }
+
     /** The largest difference of a pixel's channels. */
-    static double largestOfPixel(Color p, Color q) {
+    public static double largestOfPixel(Color p, Color q) {
         return differences(p, q).max().orElseThrow();
     }
 

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
@@ -23,7 +22,6 @@ final class ShadowPictures {
     private static final int SIZE = 150;
     private static final int PEERS_ROOT = 5;
     private static final int ROOT_OF_REFERENCE = 64;
-    private static final int CHANNELS = 3;
     private static final double VISIBLE = 1 / 512.0;
     private static final ShadowMethod EXACT = new ShadowMethod.Exact();
     private static final ShadowMethod SAMPLED = ShadowMethod.Sampled.withRoot(PEERS_ROOT);
@@ -54,27 +52,29 @@ final class ShadowPictures {
             throws IOException, RayTracerException {
         Scene scene = timed.scene();
         RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE);
-        double[] exact = shown(RayTracer.renderScene(scene, settings.withShadowMethod(EXACT)));
-        double[] sampled = shown(RayTracer.renderScene(scene, settings.withShadowMethod(SAMPLED)));
-        double[] mean = new double[exact.length];
-        double[] squares = new double[exact.length];
-        for (int run = 0; run < runs; run++) {
-            double[] picture = shown(RayTracer.renderScene(scene, settings.withSeed(RenderSettings.DEFAULT_SEED + 1 + run)
+        Film exact = RayTracer.renderScene(scene, settings.withShadowMethod(EXACT));
+        Film sampled = RayTracer.renderScene(scene, settings.withShadowMethod(SAMPLED));
+        List<Film> references = new ArrayList<>();
+        for (int run = 1; run <= runs; run++) {
+            references.add(RayTracer.renderScene(scene, settings.withSeed(RenderSettings.DEFAULT_SEED + run)
                 .withShadowMethod(ShadowMethod.Sampled.withRoot(ROOT_OF_REFERENCE))));
-            for (int i = 0; i < mean.length; i++) {
-                mean[i] += picture[i] / runs;
-                squares[i] += picture[i] * picture[i] / runs;
-            }
         }
-        double variances = 0;
-        for (int i = 0; i < mean.length; i++) {
-            variances += Math.max(squares[i] - mean[i] * mean[i], 0) / (runs - 1);
-        }
+        Film mean = Films.mean(references);
         System.out.println("Picture of " + timed.title());
-        return List.of(timed.title(), figure(rootMeanSquare(sampled, mean)), figure(rootMeanSquare(exact, mean)),
-            figure(Math.sqrt(variances / mean.length)), figure(largest(exact, mean)),
-            String.format(Locale.ROOT, "%.3f", 100 * shareOff(exact, mean)),
+        return List.of(timed.title(), figure(Films.rootMeanSquare(sampled, mean)),
+            figure(Films.rootMeanSquare(exact, mean)), figure(errorOfMean(references, mean)),
+            figure(Films.largest(exact, mean)),
+            String.format(Locale.ROOT, "%.3f", 100 * Films.shareOffByMoreThan(exact, mean, VISIBLE)),
             warmRatio(scene, settings, effort).shown(2), coldRatio(timed.file(folder), effort, folder).shown(2));
+    }
+
+    private static double errorOfMean(List<Film> films, Film mean) {
+        double squares = 0;
+        for (Film film : films) {
+            double distance = Films.rootMeanSquare(film, mean);
+            squares += distance * distance;
+        }
+        return Math.sqrt(squares / ((double) films.size() * (films.size() - 1)));
     }
 
     private static Spread warmRatio(Scene scene, RenderSettings settings, Effort effort) {
@@ -116,48 +116,6 @@ final class ShadowPictures {
     private static double seconds(Path scene, Path folder, String option, String value) throws IOException {
         return MeasuredProcess.run(List.of(JAVA.toString(), "-jar", JAR.toString(), scene.toString(),
             folder.resolve("picture.png").toString(), option, value)).wallSeconds();
-    }
-
-    private static double[] shown(Film film) {
-        double[] channels = new double[CHANNELS * film.width() * film.height()];
-        int at = 0;
-        for (int y = 0; y < film.height(); y++) {
-            for (int x = 0; x < film.width(); x++) {
-                Color light = film.get(x, y);
-                channels[at++] = Film.shown(light.red());
-                channels[at++] = Film.shown(light.green());
-                channels[at++] = Film.shown(light.blue());
-            }
-        }
-        return channels;
-    }
-
-    private static double rootMeanSquare(double[] picture, double[] reference) {
-        double squares = 0;
-        for (int i = 0; i < picture.length; i++) {
-            squares += (picture[i] - reference[i]) * (picture[i] - reference[i]);
-        }
-        return Math.sqrt(squares / picture.length);
-    }
-
-    private static double largest(double[] picture, double[] reference) {
-        double largest = 0;
-        for (int i = 0; i < picture.length; i++) {
-            largest = Math.max(largest, Math.abs(picture[i] - reference[i]));
-        }
-        return largest;
-    }
-
-    private static double shareOff(double[] picture, double[] reference) {
-        int off = 0;
-        for (int pixel = 0; pixel < picture.length; pixel += CHANNELS) {
-            double largest = 0;
-            for (int channel = pixel; channel < pixel + CHANNELS; channel++) {
-                largest = Math.max(largest, Math.abs(picture[channel] - reference[channel]));
-            }
-            off += largest > VISIBLE ? 1 : 0;
-        }
-        return (double) off * CHANNELS / picture.length;
     }
 
     private static String figure(double value) {

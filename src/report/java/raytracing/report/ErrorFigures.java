@@ -1,6 +1,7 @@
 package raytracing.report;
 
 import java.awt.image.BufferedImage;
+import raytracing.Films;
 import raytracing.PictureDifference;
 import raytracing.film.Film;
 

@@ -1,6 +1,7 @@
 package raytracing.report;
 
 import java.awt.image.BufferedImage;
+import raytracing.Films;
 import raytracing.film.Film;
 
 /** Where a picture is wrong: the absolute error of each pixel's worst channel, in linear light and false colours. */

@@ -1,5 +1,7 @@
 package raytracing.report;
 
+import java.util.List;
+import raytracing.Films;
 import raytracing.film.Film;
 
 /**
@@ -16,7 +18,7 @@ record Reference(Film film, double ownError, TimedError half) {
      */
     static Reference of(Film first, Film second, double millisecondsOfEach) {
         double difference = Films.rootMeanSquare(first, second);
-        return new Reference(Films.mean(first, second), difference / 2,
+        return new Reference(Films.mean(List.of(first, second)), difference / 2,
             new TimedError(millisecondsOfEach, difference / Math.sqrt(2)));
     }
 

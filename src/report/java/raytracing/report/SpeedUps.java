@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import raytracing.Films;
 import raytracing.Quantiles;
 import raytracing.compiled.Shortcut;
 import raytracing.render.RenderSettings;

@@ -6,7 +6,6 @@ import java.util.stream.Stream;
 
 /** Everything that was measured, in tables. */
 final class Tables {
-    private static final String NONE = "-";
     private static final String ON_THE_FRONT = "●";
 
     private Tables() {
@@ -111,6 +110,6 @@ final class Tables {
             Stream.concat(Stream.of("scene"), studies.get(0).coldRuns().stream().map(row ->
                 row.options().isEmpty() ? "no options: its own N" : row.options())).toList(),
             studies.stream().map(study -> Stream.concat(Stream.of(study.title()), study.coldRuns().stream()
-                .map(row -> row.seconds().map(spread -> spread.shown(2)).orElse(NONE))).toList()).toList());
+                .map(row -> row.seconds().shown(2))).toList()).toList());
     }
 }

@@ -24,7 +24,7 @@ final class Texts {
 
     static final String COLD = """
         <p>What users wait for: the virtual machine starts, reads the scene, draws with code that is not compiled yet,
-        and packs the picture. A dash: the program has no such option.</p>
+        and packs the picture.</p>
         """;
 
     static final String CROSSINGS = """

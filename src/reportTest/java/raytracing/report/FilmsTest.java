@@ -2,7 +2,9 @@ package raytracing.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import raytracing.Films;
 import raytracing.color.Color;
 import raytracing.film.Film;
 
@@ -37,7 +39,8 @@ class FilmsTest {
 
     @Test
     void theMeanIsHalfWayInEveryChannel() {
-        assertEquals(new Color(2, 4, 6), Films.mean(withPixel(1, 3, 5), withPixel(3, 5, 7)).get(1, 0));
+        assertEquals(new Color(2, 4, 6),
+            Films.mean(List.of(withPixel(1, 3, 5), withPixel(3, 5, 7))).get(1, 0));
     }
 
     @Test
