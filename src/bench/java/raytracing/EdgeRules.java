@@ -14,6 +14,7 @@ import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
 import raytracing.scene.Scene;
 import raytracing.shade.Shader;
+import raytracing.shade.AmbientLight;
 import raytracing.shade.ShadowMethod;
 
 /**
@@ -97,7 +98,7 @@ final class EdgeRules {
 
     private static long[] fingerprints(Scene scene) {
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        Shader shader = new Shader(scene, compiled, new ShadowMethod.Exact());
+        Shader shader = new Shader(scene, compiled, new ShadowMethod.Exact(), AmbientLight.NONE);
         PixelRays rays = new PixelRays(scene.camera(), SIZE, SIZE);
         long[] fingerprints = new long[SIZE * SIZE];
         for (int i = 0; i < fingerprints.length; i++) {

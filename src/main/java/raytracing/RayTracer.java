@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import raytracing.color.Color;
 import raytracing.command.Command;
 import raytracing.command.CommandLine;
 import raytracing.film.Film;
@@ -16,6 +17,7 @@ import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
 import raytracing.render.Rendering;
 import raytracing.scene.Scene;
+import raytracing.shade.AmbientLight;
 
 /** The program: {@code java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]}. */
 public final class RayTracer {
@@ -67,11 +69,18 @@ public final class RayTracer {
         }
         file.prepare();
         Scene scene = parseScene(command.scene());
-        Rendering rendering = new Renderer(scene, command.settings()).draw();
+        Renderer renderer = new Renderer(scene, command.settings());
+        Rendering rendering = renderer.draw();
         saveImage(rendering.film(), file);
         long milliseconds = (System.nanoTime() - start) / 1_000_000;
         System.err.println(command.output() + ": " + rendering.film().width() + " x " + rendering.film().height()
-            + " pixels in " + milliseconds + " ms" + refinement(rendering, command.settings().sampling().root()));
+            + " pixels in " + milliseconds + " ms" + refinement(rendering, command.settings().sampling().root()) + ambience(renderer.ambientLight()));
+    }
+
+    private static String ambience(AmbientLight light) {
+        Color mean = light.mean();
+        return light.isNone() ? "" : String.format(Locale.ROOT, ", in ambient light of %.3f %.3f %.3f",
+            mean.red(), mean.green(), mean.blue());
     }
 
     private static String refinement(Rendering rendering, int root) {

@@ -45,6 +45,16 @@ class ProgramTest {
         }
     }
 
+    /** A ball alone in the sky: its ambient light is the background. */
+    @Test
+    void theLineNamesTheAmbientLightOfASceneThatAsksForIt() throws Exception {
+        Files.writeString(folder.resolve("scene.txt"), "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.25 0.5 1 1 1\n"
+            + "mtl 0 0 0 0 0 0 0 0 0 1 0  1 1 1\nsph 0 0 0 1 1\n");
+        Program program = run("scene.txt", "out.png", "4", "3");
+        assertTrue(program.errors().matches(
+            "out\\.png: 4 x 3 pixels in \\d+ ms, in ambient light of 0\\.250 0\\.500 1\\.000\\R"), program.errors());
+    }
+
     @Test
     void aSceneBecomesAPictureAndALineOnStandardError() throws Exception {
         Program program = run("scene.txt", "out.png", "40", "30");

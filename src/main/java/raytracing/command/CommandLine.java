@@ -30,7 +30,7 @@ public final class CommandLine {
 
         options (they may stand anywhere; "--threads 4" and "--threads=4" are the same)
           --threads N        use N threads instead of one for each processor
-          --seed N           use other random numbers for soft shadows; default 1
+          --seed N           use other random numbers; default 1
           --shadows exact    soft shadows without noise; default "sampled"
           --shadow-rays N    N x N shadow rays, whatever the scene says
           --samples N        smooth edges: N x N rays in pixels on an edge; default 1

@@ -143,6 +143,19 @@ public final class HitPoint {
     }
 
     /**
+     * Takes the numbers of another hit.
+     *
+     * @param other any hit
+     */
+    public void take(HitPoint other) {
+        place(other.x, other.y, other.z, other.error);
+        normalX = other.normalX;
+        normalY = other.normalY;
+        normalZ = other.normalZ;
+        side = other.side;
+    }
+
+    /**
      * These numbers as a value that stays.
      *
      * @param surface number of the surface that was met, counted from 0 in the order of the scene

@@ -11,19 +11,22 @@ import raytracing.compiled.Shortcut;
 import raytracing.film.Film;
 import raytracing.math.CounterRandom;
 import raytracing.scene.Scene;
+import raytracing.shade.AmbientEstimate;
+import raytracing.shade.AmbientLight;
 import raytracing.shade.LightSum;
 import raytracing.shade.Shader;
 
 /**
- * Draws a scene. Every pixel depends on its own coordinates, the scene, and those settings that decide what is in the
- * picture alone: {@link #pixel} replays any of them, and the film is the same for every number of threads and every
- * tile size.
+ * Draws a scene, whose ambient light is estimated first. Every pixel depends on its own coordinates, the scene, and those
+ * settings that decide what is in the picture alone: {@link #pixel} replays any of them, and the film is the same for
+ * every number of threads and every tile size.
  */
 public final class Renderer {
     private final RenderSettings settings;
     private final Scene scene;
     private final PixelRays pixelRays;
     private final CompiledScene compiled;
+    private final AmbientLight ambientLight;
 
     /**
      * Makes a scene ready to be drawn.
@@ -46,8 +49,36 @@ public final class Renderer {
         this.scene = scene;
         this.settings = settings;
         pixelRays = new PixelRays(scene.camera(), settings.width(), settings.height());
-        compiled = new CompiledScene(scene, settings.shadowMode(), shortcuts,
-            new ThreadWorkers(settings.threads()));
+        ThreadWorkers workers = new ThreadWorkers(settings.threads());
+        compiled = new CompiledScene(scene, settings.shadowMode(), shortcuts, workers);
+        ambientLight = AmbientEstimate.of(scene, compiled, settings.width(), settings.height(), settings.seed(), workers);
+    }
+
+    private Renderer(Renderer other, AmbientLight ambientLight) {
+        settings = other.settings;
+        scene = other.scene;
+        pixelRays = other.pixelRays;
+        compiled = other.compiled;
+        this.ambientLight = ambientLight;
+    }
+
+    /**
+     * The same with another ambient light than the one that was estimated: to measure what that is worth.
+     *
+     * @param other any light
+     * @return a renderer that draws in it
+     */
+    public Renderer inAmbientLight(AmbientLight other) {
+        return new Renderer(this, other);
+    }
+
+    /**
+     * The ambient light in which surfaces are drawn.
+     *
+     * @return what was estimated for the scene; {@link AmbientLight#NONE} if it asks for none
+     */
+    public AmbientLight ambientLight() {
+        return ambientLight;
     }
 
     /**
@@ -97,7 +128,7 @@ public final class Renderer {
 
     /** For one thread. */
     Shader shader() {
-        return new Shader(scene, compiled, settings.shadowMethod());
+        return new Shader(scene, compiled, settings.shadowMethod(), ambientLight);
     }
 
     /** All of the picture. */

@@ -24,6 +24,13 @@ public final class LightSum {
         blue += product(share, filter.blue(), light.blue());
     }
 
+    /** Adds share * filter * light, channel by channel; share at least 0 and finite. */
+    void add(double share, Color filter, LightSum light) {
+        red += product(share, filter.red(), light.red());
+        green += product(share, filter.green(), light.green());
+        blue += product(share, filter.blue(), light.blue());
+    }
+
     /** Adds share * weight * light, channel by channel; share at least 0 and finite. */
     void add(double share, Weight weight, Color light) {
         red += product(share, weight.red(), light.red());
@@ -36,6 +43,20 @@ public final class LightSum {
         red += product(share, weight.red(), light.red());
         green += product(share, weight.green(), light.green());
         blue += product(share, weight.blue(), light.blue());
+    }
+
+    /** Adds light channel by channel, each at least 0. */
+    void add(double redLight, double greenLight, double blueLight) {
+        red += redLight;
+        green += greenLight;
+        blue += blueLight;
+    }
+
+    /** Multiplies by a factor, at least 0 and finite. */
+    void scale(double factor) {
+        red = factor * red();
+        green = factor * green();
+        blue = factor * blue();
     }
 
     /** Never infinity times 0, which would be no number. */

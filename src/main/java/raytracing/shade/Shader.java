@@ -17,7 +17,7 @@ import raytracing.scene.Scene;
  * The light that a ray of the eye brings back: a function of scene, ray and random key, whatever was asked before. One
  * thread; all that it needs is made once, so that rays make no garbage.
  *
- * <p>At each surface: colour = behind * transparency + (diffuse + specular) * (1 - transparency) + mirrored *
+ * <p>At each surface: colour = behind * transparency + (diffuse + specular + ambient) * (1 - transparency) + mirrored *
  * reflection. Written as a sum over all surfaces that contribute, each with the product of the factors on its way to
  * the eye as its weight, this needs no recursion: a ray goes straight on through transparent surfaces, and whatever
  * it sends aside into mirrors waits among the {@link Branches}. Beyond the recursion limit a mirror shows the
@@ -44,6 +44,9 @@ public final class Shader {
     /** Counter of the key for a surface's mirrored ray; its lights use the counters from 0 on. */
     private static final long MIRROR = -1;
 
+    /** Counter of the number that decides whether a path goes on from a surface. */
+    private static final long VERTEX = -2;
+
     /**
      * A fingerprint is the value of a polynomial whose coefficients are the numbers of the surfaces met, a number that
      * no surface has for the end of each ray, and before all of them a 1, which makes surface 0 count. It is taken at
@@ -65,6 +68,9 @@ public final class Shader {
     private final Branches branches = new Branches();
     private final LightSum pixel = new LightSum();
     private final LightSum direct = new LightSum();
+    private final AmbientLookup ambientLight;
+    private final double ambientScale;
+    private final PathVertex vertex;
     private final Weight weight = new Weight();
     private final Weight mirrorWeight = new Weight();
     private int surfacesMet;
@@ -79,13 +85,24 @@ public final class Shader {
      * @param scene materials, lights and settings
      * @param compiled the same scene's surfaces
      * @param shadowMethod how soft shadows are found
+     * @param ambientLight of the room
      */
-    public Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod) {
-        this(scene, compiled, shadowMethod, NEGLIGIBLE_WEIGHT);
+    public Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod, AmbientLight ambientLight) {
+        this(scene, compiled, shadowMethod, ambientLight, NEGLIGIBLE_WEIGHT);
     }
 
     /** With another weight below which light is not followed: 0 follows all of it. */
-    Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod, double negligibleWeight) {
+    Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod, AmbientLight ambientLight,
+           double negligibleWeight) {
+        this(scene, compiled, shadowMethod, ambientLight, negligibleWeight, new PathVertex(PathVertex.Scattering.NONE));
+    }
+
+    /** With a vertex that is offered whatever a ray meets. */
+    Shader(Scene scene, CompiledScene compiled, ShadowMethod shadowMethod, AmbientLight ambientLight,
+           double negligibleWeight, PathVertex vertex) {
+        this.ambientLight = new AmbientLookup(ambientLight);
+        this.vertex = vertex;
+        ambientScale = scene.settings().ambientScale();
         this.negligibleWeight = negligibleWeight;
         materials = scene.materials().toArray(new Material[0]);
         lights = scene.lights().toArray(new Light[0]);
@@ -132,6 +149,24 @@ public final class Shader {
     }
 
     /**
+     * What arrives at a hit from a direction on the side from which it was seen.
+     *
+     * @param from the hit
+     * @param surface number of the surface that was hit
+     * @param dx unit direction, x part
+     * @param dy y part
+     * @param dz z part
+     * @param key of all random numbers on the way
+     * @return linear light, not clamped; overwritten by the next
+     */
+    LightSum light(HitPoint from, int surface, double dx, double dy, double dz, long key) {
+        pixel.clear();
+        walk.start(from.x(), from.y(), from.z(), from.error(), dx, dy, dz, surface, from.side());
+        followAll(key);
+        return pixel;
+    }
+
+    /**
      * What was seen, mirrored and through transparent surfaces too, in one number: two rays of the eye that met the
      * same surfaces in the same order have the same one, others have others but for a chance of about 1 in 2^64.
      *
@@ -143,6 +178,7 @@ public final class Shader {
 
     private void followAll(long key) {
         branches.clear();
+        vertex.clear();
         surfacesMet = 0;
         fingerprint = NOTHING_MET;
         weight.set(1, 1, 1);
@@ -195,6 +231,10 @@ public final class Shader {
             mirroredZ = scale * z * factor;
             if (transparency < 1) {
                 addDirectLight(material, hitKey);
+                addAmbientLight(material);
+                if (vertex.isWanted()) {
+                    vertex.offer(hit, walk.surface(), material, weight, CounterRandom.bits(hitKey, VERTEX));
+                }
                 pixel.add(1 - transparency, weight, direct);
             }
             if (!material.reflection().isBlack()) {
@@ -209,6 +249,13 @@ public final class Shader {
             }
         }
         pixel.add(1, weight, background);
+    }
+
+    /** Whatever of the room's light is not a lamp's. */
+    private void addAmbientLight(Material material) {
+        if (ambientLight.isWanted() && !material.ambient().isBlack()) {
+            direct.add(ambientScale, material.ambient(), ambientLight.at(walk.point()));
+        }
     }
 
     private void sendMirrored(Color reflection, int reflections, long hitKey) {

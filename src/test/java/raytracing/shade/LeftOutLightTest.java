@@ -10,6 +10,7 @@ import raytracing.RayTracer;
 import raytracing.compiled.CompiledScene;
 import raytracing.compiled.PixelRays;
 import raytracing.compiled.ShadowMode;
+import raytracing.compiled.Workers;
 import raytracing.film.Film;
 import raytracing.scene.Scene;
 
@@ -29,7 +30,9 @@ class LeftOutLightTest {
 
     private static Film drawn(Scene scene, double negligibleWeight) {
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        Shader shader = new Shader(scene, compiled, ShadowMethod.OF_THE_SCENE, negligibleWeight);
+        AmbientLight ambientLight = AmbientEstimate.of(scene, compiled, SIZE, SIZE, 1, Workers.ALONE);
+        Shader shader = new Shader(scene, compiled, ShadowMethod.OF_THE_SCENE, ambientLight,
+            negligibleWeight);
         PixelRays rays = new PixelRays(scene.camera(), SIZE, SIZE);
         Film film = new Film(SIZE, SIZE);
         for (int y = 0; y < SIZE; y++) {

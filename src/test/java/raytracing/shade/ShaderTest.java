@@ -28,13 +28,13 @@ class ShaderTest {
 
     private static Color light(Ray ray, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE).light(ray, 1).total();
+        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE).light(ray, 1).total();
     }
 
     /** With nothing left out: for tests whose light comes from far down a chain of reflections. */
     private static Color allLight(Ray ray, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, 0).light(ray, 1).total();
+        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE, 0).light(ray, 1).total();
     }
 
     private static CompiledScene compiled(Scene scene) {
@@ -259,9 +259,45 @@ class ShaderTest {
         assertTrue(found.red() > 0.25 * 20);
     }
 
+    private static Color lightInAmbientLight(Color ambientLight, String... lines) {
+        Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
+        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.even(ambientLight))
+            .light(ALONG_Z, 1).total();
+    }
+
+    /** Diffuse 0.5 of a light of 1 straight ahead, and ambient times the room's light. */
+    @Test
+    void ambientColourTimesTheRoomsLightIsAddedToDiffuseLight() {
+        Color found = lightInAmbientLight(new Color(0.5, 1, 2), SET, "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0  0.2 0.4 0",
+            "pln 0 0 1 0 1", "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
+        assertColor(0.5 + 0.1, 0.5 + 0.4, 0.5, found);
+    }
+
+    @Test
+    void theAmbientScaleMultipliesTheRoomsLight() {
+        Color found = lightInAmbientLight(Color.WHITE, "set 0 0 0 1 1  2.5", "mtl 0 0 0  0 0 0  0 0 0  1 0  0.1 0.2 0.4",
+            "pln 0 0 1 0 1");
+        assertColor(0.25, 0.5, 1, found);
+    }
+
+    /** (1 - 0.75) times 0.4, and 0.75 of the background. */
+    @Test
+    void whatIsTransparentShowsLessAmbientLight() {
+        Color found = lightInAmbientLight(Color.WHITE, "set 1 0 0 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.75  0.4 0.4 0.4",
+            "pln 0 0 1 0 1");
+        assertColor(0.75 + 0.1, 0.1, 0.1, found);
+    }
+
+    @Test
+    void ambientLightIsSeenInMirrors() {
+        Color found = lightInAmbientLight(Color.WHITE, SET, "mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 0",
+            "mtl 0 0 0  0 0 0  0 0 0  1 0  0.2 0.4 0.8", "pln 0 0 1 0 1", "pln 0 0 1 -9 2");
+        assertColor(0.1, 0.2, 0.4, found);
+    }
+
     private static long fingerprint(double x, double y, String... lines) {
         Scene scene = SceneText.scene(CAM + "\n" + SET + "\n" + String.join("\n", lines));
-        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE);
+        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
         shader.light(new Ray(new Vector(x, y, -5), new Vector(0, 0, 1)), 1);
         return shader.fingerprint();
     }
@@ -316,7 +352,7 @@ class ShaderTest {
     @Test
     void theSkyHasAnotherFingerprintThanTheBlackBesideALens() {
         Scene scene = SceneText.scene("cam 0 0 0  0 0 1  0 1 0  0.1 2 true 0", "set 0 0 0  1 1");
-        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE);
+        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
         PixelRays rays = new PixelRays(scene.camera(), 100, 100);
         shader.light(rays, 50, 50, 1);
         long sky = shader.fingerprint();

@@ -63,6 +63,6 @@ class ShortcutPicturesTest {
     }
 
     private static Shader shader(Scene scene, ShadowMode mode, ShadowMethod method, Set<Shortcut> shortcuts) {
-        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE), method);
+        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE), method, AmbientLight.NONE);
     }
 }

@@ -1,0 +1,134 @@
+package raytracing.shade;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import raytracing.color.Color;
+import raytracing.geometry.Departure;
+import raytracing.geometry.Hit;
+import raytracing.geometry.HitPoint;
+import raytracing.math.CounterRandom;
+import raytracing.math.Vector;
+import raytracing.scene.Material;
+
+class PathVertexTest {
+    private static final int DRAWS = 100_000;
+
+    private static Material material(Color diffuse, double transparency, Color ambient) {
+        return new Material(diffuse, Color.BLACK, Color.BLACK, 1, transparency, ambient);
+    }
+
+    private static Material diffuse(double red, double green, double blue) {
+        return material(new Color(red, green, blue), 0, Color.BLACK);
+    }
+
+    private static HitPoint at(double z) {
+        HitPoint point = new HitPoint();
+        point.take(new Hit(0, 0, 1, new Vector(0, 0, z), 0, new Vector(0, 0, -1), Departure.OUTWARD));
+        return point;
+    }
+
+    private static Weight weight(double all) {
+        Weight weight = new Weight();
+        weight.set(all, all, all);
+        return weight;
+    }
+
+    private static PathVertex vertex() {
+        return new PathVertex(PathVertex.Scattering.DIFFUSE);
+    }
+
+    /** Chances 0.1, 0.2 and 0.3; a binomial count is off by six standard deviations once in 500 million. */
+    @Test
+    void aPointIsDrawnInProportionToWhatComesBackFromIt() {
+        int[] counts = new int[3];
+        PathVertex vertex = vertex();
+        for (int draw = 0; draw < DRAWS; draw++) {
+            vertex.clear();
+            for (int i = 0; i < 3; i++) {
+                vertex.offer(at(i), i, diffuse(0.5, 0.1, 0), weight(0.2 * (i + 1)), CounterRandom.bits(draw, i));
+            }
+            counts[vertex.surface()]++;
+        }
+        for (int i = 0; i < 3; i++) {
+            double chance = (i + 1) / 6.0;
+            assertEquals(chance * DRAWS, counts[i], 6 * Math.sqrt(chance * (1 - chance) * DRAWS));
+        }
+    }
+
+    /** Red 0.3 and 0.1, green 0 and 0.4: weighted with lights of 1 and 2, 0.3 + 0.2 and 0.8. */
+    @Test
+    void theMeanOverAllDrawsIsTheSumOverAllPoints() {
+        double red = 0;
+        double green = 0;
+        PathVertex vertex = vertex();
+        for (int draw = 0; draw < DRAWS; draw++) {
+            vertex.clear();
+            vertex.offer(at(0), 0, diffuse(0.3, 0, 0), weight(1), CounterRandom.bits(draw, 0));
+            vertex.offer(at(1), 1, diffuse(0.1, 0.4, 0), weight(1), CounterRandom.bits(draw, 1));
+            Weight path = weight(1);
+            vertex.filter(path);
+            red += path.red() * (vertex.surface() + 1) / DRAWS;
+            green += path.green() * (vertex.surface() + 1) / DRAWS;
+        }
+        double bound = 6 * 0.7 / Math.sqrt(DRAWS);      // no draw counts more than the sum of the chances, 0.7, times light
+        assertEquals(0.5, red, 2 * bound);
+        assertEquals(0.8, green, 2 * bound);
+    }
+
+    @Test
+    void noMoreThanNineTenthsComeBack() {
+        PathVertex vertex = vertex();
+        vertex.clear();
+        vertex.offer(at(0), 0, diffuse(3, 0.9, 0.5), weight(1), 1);
+        Weight path = weight(1);
+        vertex.filter(path);
+        assertEquals(0.9, path.red(), 1e-15);
+        assertEquals(0.9, path.green(), 1e-15);
+        assertEquals(0.5, path.blue(), 1e-15);
+    }
+
+    @Test
+    void whatIsTransparentSendsBackLess() {
+        PathVertex vertex = vertex();
+        vertex.clear();
+        vertex.offer(at(0), 0, material(Color.WHITE, 0.75, Color.BLACK), weight(0.5), 1);
+        Weight path = weight(1);
+        vertex.filter(path);
+        assertEquals(0.125, path.red(), 1e-15);
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = PathVertex.Scattering.class, names = {"DIFFUSE", "AMBIENT"})
+    void whoAsksForOneColourIsNotShownTheOther(PathVertex.Scattering scattering) {
+        boolean isDiffuse = scattering == PathVertex.Scattering.DIFFUSE;
+        PathVertex vertex = new PathVertex(scattering);
+        vertex.clear();
+        vertex.offer(at(0), 0, material(isDiffuse ? Color.BLACK : Color.WHITE, 0, isDiffuse ? Color.WHITE : Color.BLACK),
+            weight(1), 1);
+        assertFalse(vertex.isFound());
+    }
+
+    /** Something black is in the way all the same. */
+    @Test
+    void theFirstPointMetIsTheNearestEvenIfNoPathGoesOnFromIt() {
+        PathVertex vertex = vertex();
+        vertex.clear();
+        vertex.offer(at(2), 0, diffuse(0, 0, 0), weight(1), 1);
+        vertex.offer(at(8), 1, diffuse(1, 1, 1), weight(1), 1);
+        assertTrue(vertex.isFound());
+        assertEquals(0.5, vertex.nearness(at(0)));
+    }
+
+    @Test
+    void aRayThatMeetsNothingHasNoNearest() {
+        PathVertex vertex = vertex();
+        vertex.clear();
+        assertFalse(vertex.isFound());
+        assertEquals(0, vertex.nearness(at(0)));
+    }
+}
