@@ -8,6 +8,7 @@ import raytracing.film.Film;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
 import raytracing.scene.Scene;
+import raytracing.shade.AmbientLight;
 
 /**
  * One question asked of one scene.
@@ -19,7 +20,10 @@ import raytracing.scene.Scene;
 record FamilyStudy(Family family, Reference reference, List<Measurement> measurements) {
     private static final double NANOSECONDS_IN_MILLISECOND = 1e6;
 
-    /** The halves have random numbers of their own, so neither agrees with a setting by using the same. */
+    /**
+     * The halves have random numbers of their own, so neither agrees with a setting by using the same. Their ambient light is that
+     * of the settings: it is not what is judged.
+     */
     private static final List<Long> SEEDS_OF_HALVES =
         List.of(RenderSettings.DEFAULT_SEED + 1, RenderSettings.DEFAULT_SEED + 2);
 
@@ -38,12 +42,13 @@ record FamilyStudy(Family family, Reference reference, List<Measurement> measure
     }
 
     private static Reference reference(List<Setting> halves, Scene scene, RenderSettings settings, Progress progress) {
+        AmbientLight ambientLight = new Renderer(scene, settings).ambientLight();
         List<Film> films = new ArrayList<>();
         long start = System.nanoTime();
         for (int i = 0; i < halves.size(); i++) {
             progress.say("reference, " + halves.get(i).title());
             RenderSettings ofHalf = halves.get(i).in(settings).withSeed(SEEDS_OF_HALVES.get(i));
-            films.add(new Renderer(scene, ofHalf).render());
+            films.add(new Renderer(scene, ofHalf).inAmbientLight(ambientLight).render());
         }
         double milliseconds = (System.nanoTime() - start) / NANOSECONDS_IN_MILLISECOND;
         return Reference.of(films.get(0), films.get(1), milliseconds / halves.size());

@@ -3,7 +3,9 @@ package raytracing.report;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.Locale;
+import raytracing.color.Color;
 import raytracing.film.Film;
+import raytracing.shade.AmbientLight;
 
 /** The part of the page about one scene. */
 final class SceneSection {
@@ -23,10 +25,20 @@ final class SceneSection {
         if (study.family(Family.SHADOWS).isEmpty()) {
             html.append(heading(": soft shadows")).append(Texts.HARD_SHADOWS);
         }
+        html.append(ambience());
         for (FamilyStudy family : study.families()) {
             html.append(family(family));
         }
         return html.append("</section>\n").toString();
+    }
+
+    /** The estimate, of a scene that asks for one. */
+    private String ambience() {
+        AmbientLight light = study.ambientLight();
+        Color mean = light.mean();
+        return light.isNone() ? "" : "<p>" + Html.escaped(String.format(Locale.ROOT,
+            "Ambient light of %s, estimated from the room at %d places: in the mean red %.3f, green %.3f, blue %.3f.",
+            study.title(), light.placeCount(), mean.red(), mean.green(), mean.blue())) + "</p>\n";
     }
 
     private String heading(String rest) {

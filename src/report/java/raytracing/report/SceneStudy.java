@@ -8,20 +8,23 @@ import java.util.Optional;
 import raytracing.RayTracer;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
+import raytracing.render.Renderer;
 import raytracing.scene.Scene;
+import raytracing.shade.AmbientLight;
 
 /**
  * Everything that was found out about one scene.
  *
  * @param title its file's name without the ending
  * @param scene what was drawn
+ * @param ambientLight what was estimated for it
  * @param families the questions that concern it, with their answers
  * @param sampledSpeedUps shortcuts with the scene's own N
  * @param exactSpeedUps shortcuts with exact shadows
  * @param coldRuns whole processes
  */
-record SceneStudy(String title, Scene scene, List<FamilyStudy> families, List<SpeedUps.Row> sampledSpeedUps,
-                  List<SpeedUps.Row> exactSpeedUps, List<ColdRuns.Row> coldRuns) {
+record SceneStudy(String title, Scene scene, AmbientLight ambientLight, List<FamilyStudy> families,
+                  List<SpeedUps.Row> sampledSpeedUps, List<SpeedUps.Row> exactSpeedUps, List<ColdRuns.Row> coldRuns) {
     static SceneStudy of(Path file, Budget budget, Progress progress) throws IOException, RayTracerException {
         Scene scene = RayTracer.parseScene(file);
         RenderSettings settings = settings(budget);
@@ -31,7 +34,8 @@ record SceneStudy(String title, Scene scene, List<FamilyStudy> families, List<Sp
                 families.add(FamilyStudy.of(family, scene, settings, budget, progress));
             }
         }
-        SceneStudy study = new SceneStudy(title(file), scene, families,
+        SceneStudy study = new SceneStudy(title(file), scene,
+            new Renderer(scene, settings).ambientLight(), families,
             SpeedUps.measured(scene, settings, budget, progress),
             SpeedUps.measured(scene, Setting.exact().in(settings), budget, progress),
             ColdRuns.measured(file, budget, progress));

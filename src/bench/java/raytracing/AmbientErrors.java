@@ -1,0 +1,143 @@
+package raytracing;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import raytracing.ambient.AmbientPart;
+import raytracing.ambient.AmbientScenes;
+import raytracing.color.Color;
+import raytracing.parse.RayTracerException;
+import raytracing.render.RenderSettings;
+import raytracing.render.Renderer;
+import raytracing.scene.Scene;
+import raytracing.shade.AmbientLight;
+
+/** Estimates of ambient light held to brute force. */
+final class AmbientErrors {
+    /** No pixel looks along an edge of a room, where the truth has two values. */
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(47, 40);
+    private static final int ALL_BOUNCES = 1000;
+    private static final double STEPS = 255;
+    private static final double NANOSECONDS_IN_MILLISECOND = 1e6;
+
+    private AmbientErrors() {
+    }
+
+    private static int rootForPictures(Effort effort) {
+        return effort == Effort.FULL ? 32 : 12;
+    }
+
+    /** A mean has the rays of nearly two thousand pixels. */
+    private static int rootForMeans(Effort effort) {
+        return effort == Effort.FULL ? 16 : 8;
+    }
+
+    private static int seeds(Effort effort) {
+        return effort == Effort.FULL ? 10 : 3;
+    }
+
+    /** What a picture gains: none, one colour, light that varies. */
+    static String summary(Effort effort) throws IOException, RayTracerException {
+        List<List<String>> rows = new ArrayList<>();
+        for (AmbientRoom room : AmbientRoom.values()) {
+            Optional<Scene> scene = room.scene();
+            if (scene.isPresent()) {
+                rows.add(pictureRow(room.title(), scene.get(), effort));
+            }
+        }
+        return MarkdownTable.of(List.of("scene", "no ambient light: RMSE", "one colour: RMSE", "light that varies: RMSE",
+            "frame without, ms", "the estimate, ms", "frame in one colour, ms", "in light that varies, ms"), rows);
+    }
+
+    private static List<String> pictureRow(String title, Scene scene, Effort effort) {
+        AmbientPart truth = truth(scene, 1, ALL_BOUNCES, rootForPictures(effort));
+        AmbientPart sameTruth = truth(scene, 2, ALL_BOUNCES, rootForPictures(effort));
+        Renderer renderer = new Renderer(scene, SMALL);
+        AmbientLight even = AmbientLight.even(renderer.ambientLight().mean());
+        System.out.println("Ambient light of " + title);
+        Renderer large = new Renderer(scene, RenderSettings.DEFAULT);
+        Renderer largeEven = large.inAmbientLight(even);
+        Renderer largeWithout = large.inAmbientLight(AmbientLight.NONE);
+        long start = System.nanoTime();
+        while (System.nanoTime() - start < effort.warmUpNanoseconds()) {
+            large.render();
+            largeEven.render();
+            largeWithout.render();
+            new Renderer(scene, RenderSettings.DEFAULT);
+        }
+        List<List<Double>> times = List.of(new ArrayList<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
+        for (int round = 0; round < 3 * effort.frames(); round++) {
+            times.get(0).add(milliseconds(largeWithout::render));
+            times.get(1).add(milliseconds(() -> new Renderer(scene, RenderSettings.DEFAULT)));
+            times.get(2).add(milliseconds(largeEven::render));
+            times.get(3).add(milliseconds(large::render));
+        }
+        List<String> cells = new ArrayList<>(List.of(title,
+            steps(AmbientPart.drawn(renderer, AmbientLight.even(Color.BLACK)).errorAgainst(truth, sameTruth)),
+            steps(AmbientPart.drawn(renderer, even).errorAgainst(truth, sameTruth)),
+            steps(AmbientPart.drawn(renderer, renderer.ambientLight()).errorAgainst(truth, sameTruth))));
+        for (List<Double> series : times) {
+            Quantiles quantiles = Quantiles.of(series);
+            cells.add(String.format(Locale.ROOT, "%.0f (%.0f - %.0f)", quantiles.median(), quantiles.lower(),
+                quantiles.upper()));
+        }
+        return cells;
+    }
+
+    private static double milliseconds(Runnable work) {
+        long start = System.nanoTime();
+        work.run();
+        return (System.nanoTime() - start) / NANOSECONDS_IN_MILLISECOND;
+    }
+
+    private static AmbientPart truth(Scene scene, int seed, int bounces, int root) {
+        return AmbientPart.byBruteForce(scene, SMALL.withSeed(seed), bounces, root);
+    }
+
+    /** The one colour beside the mean of the truth, over some seeds. */
+    static String section(Effort effort) throws IOException, RayTracerException {
+        List<List<String>> rows = new ArrayList<>();
+        for (AmbientRoom room : AmbientRoom.values()) {
+            Optional<Scene> scene = room.scene();
+            if (scene.isPresent()) {
+                rows.add(meanRow(room.title(), AmbientScenes.withWhiteAmbient(scene.get()), effort));
+            }
+        }
+        return String.format(Locale.ROOT,
+            "The one colour of the whole room beside the mean of the truth: %d x %d pixels with %d x %d rays "
+            + "and all bounces.\nErrors are of the worst channel; median and largest of the seeds 1 to %d.\n\n",
+            SMALL.width(), SMALL.height(), rootForMeans(effort), rootForMeans(effort), seeds(effort))
+            + MarkdownTable.of(List.of("scene", "truth, red green blue", "of it by one bounce", "estimate, seed 1",
+                "places", "error, median, %", "error, largest, %"), rows);
+    }
+
+    private static List<String> meanRow(String title, Scene white, Effort effort) {
+        double[] truth = truth(white, 1, ALL_BOUNCES, rootForMeans(effort)).mean();
+        double[] once = truth(white, 1, 1, rootForMeans(effort)).mean();
+        List<Double> errors = new ArrayList<>();
+        for (int seed = 1; seed <= seeds(effort); seed++) {
+            Renderer renderer = new Renderer(white, SMALL.withSeed(seed));
+            double[] mean = AmbientPart.drawn(renderer, AmbientLight.even(renderer.ambientLight().mean())).mean();
+            double worst = 0;
+            for (int channel = 0; channel < mean.length; channel++) {
+                worst = Math.max(worst, Math.abs(mean[channel] / truth[channel] - 1));
+            }
+            errors.add(100 * worst);
+        }
+        AmbientLight light = new Renderer(white, SMALL).ambientLight();
+        Color mean = light.mean();
+        System.out.println("Mean of " + title);
+        return List.of(title, String.format(Locale.ROOT, "%.3f %.3f %.3f", truth[0], truth[1], truth[2]),
+            String.format(Locale.ROOT, "%.0f %%", 100 * (once[0] + once[1] + once[2]) / (truth[0] + truth[1] + truth[2])),
+            String.format(Locale.ROOT, "%.3f %.3f %.3f", mean.red(), mean.green(), mean.blue()),
+            String.valueOf(light.placeCount()),
+            String.format(Locale.ROOT, "%.1f", Quantiles.of(errors).median()),
+            String.format(Locale.ROOT, "%.1f", errors.stream().max(Double::compare).orElseThrow()));
+    }
+
+    private static String steps(double error) {
+        return String.format(Locale.ROOT, "%.1f", STEPS * error);
+    }
+}
