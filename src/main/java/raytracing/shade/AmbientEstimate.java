@@ -99,9 +99,20 @@ public final class AmbientEstimate {
             places.addAll(grid.choose(step, places));
             new Gathering(places, before, 1, places.size()).run();
         }
-        AmbientLight light = AmbientLight.between(places, furtherLight(places));
+        Color further = furtherLight(places);
+        AmbientLight light = AmbientLight.between(places, further, mean(places, further));
         return light.withMean(grid.mean(new AmbientLookup(light)));
     }
+
+    /** Mean of the light at the places where it was gathered: more of them lie in corners than the camera sees of these. */
+    private static Color mean(List<Place> places, Color further) {
+        LightSum sum = new LightSum();
+        for (Place place : places) {
+            sum.add(1.0 / places.size(), Color.WHITE, place.allLight(further));
+        }
+        return sum.total();
+    }
+
     /**
      * What arrives, by further bounces, where the paths of the places' own light end: in the mean over all of them, what
      * the bounces that were followed brought and what those beyond would bring, each by its weight.
@@ -120,12 +131,12 @@ public final class AmbientEstimate {
             beyond.add(1, Color.WHITE, place.beyond);
         }
         return new Color(
-            mean(deep.red() + beyond.red() * series(last.red(), arriving.red(), beyond.red()), onward.red()),
-            mean(deep.green() + beyond.green() * series(last.green(), arriving.green(), beyond.green()), onward.green()),
-            mean(deep.blue() + beyond.blue() * series(last.blue(), arriving.blue(), beyond.blue()), onward.blue()));
+            ratio(deep.red() + beyond.red() * series(last.red(), arriving.red(), beyond.red()), onward.red()),
+            ratio(deep.green() + beyond.green() * series(last.green(), arriving.green(), beyond.green()), onward.green()),
+            ratio(deep.blue() + beyond.blue() * series(last.blue(), arriving.blue(), beyond.blue()), onward.blue()));
     }
 
-    private static double mean(double sum, double weight) {
+    private static double ratio(double sum, double weight) {
         return weight > 0 ? sum / weight : 0;
     }
 
@@ -138,7 +149,7 @@ public final class AmbientEstimate {
      * @param beyond sum of the weights of what they send on
      */
     private static double series(double light, double arriving, double beyond) {
-        return mean(light, Math.max(arriving - beyond, (1 - PathVertex.MOST_REFLECTANCE) * arriving));
+        return ratio(light, Math.max(arriving - beyond, (1 - PathVertex.MOST_REFLECTANCE) * arriving));
     }
 
     /** Work on a row of things, shared out in halves: every other one of them, for neighbours take about as long. */

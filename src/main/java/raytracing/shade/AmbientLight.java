@@ -35,10 +35,17 @@ public final class AmbientLight {
         return new AmbientLight(mean, Optional.empty());
     }
 
-    /** Light that varies from place to place; at least one of them. The mean is black for now. */
-    static AmbientLight between(List<Place> places, Color further) {
-        return new AmbientLight(Color.BLACK, Optional.of(new Places(places.size(),
-            IrradianceCache.near(places, further), IrradianceCache.wide(places, further))));
+    /**
+     * Light that varies from place to place.
+     *
+     * @param places at least one
+     * @param further what arrives by further bounces than their own, where these end
+     * @param mean what stands for places where there are none
+     */
+    static AmbientLight between(List<Place> places, Color further, Color mean) {
+        return new AmbientLight(mean, Optional.of(new Places(places.size(),
+            IrradianceCache.of(places, IrradianceCache.Reach.NEAR, further),
+            IrradianceCache.of(places, IrradianceCache.Reach.WIDE, further))));
     }
 
     /** The same places with another mean. */

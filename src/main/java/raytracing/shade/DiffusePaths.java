@@ -35,7 +35,11 @@ final class DiffusePaths {
 
     private static final double SHARE = 1.0 / RAYS;
     private static final double DEEP_SHARE = RAYS_FOR_A_DEEP_ONE * SHARE;
+
+    /** Counters of a place's own random numbers; its rays have those from 0 on. */
     private static final long TURN = -1;
+    private static final long DEEP = -2;
+
     private static final double[] SPIRAL = spiral();
 
     private final PathVertex vertex = new PathVertex(PathVertex.Scattering.DIFFUSE);
@@ -75,11 +79,12 @@ final class DiffusePaths {
         double cosine = StrictMath.cos(angle);
         double sine = StrictMath.sin(angle);
         double outwards = CounterRandom.lowerFraction(turn);
+        int deep = Math.floorMod(CounterRandom.bits(key, DEEP), RAYS_FOR_A_DEEP_ONE);
         for (int i = 0; i < RAYS; i++) {
             double radius = Math.sqrt((i + outwards) / RAYS);
             u = radius * (cosine * SPIRAL[2 * i] - sine * SPIRAL[2 * i + 1]);
             v = radius * (sine * SPIRAL[2 * i] + cosine * SPIRAL[2 * i + 1]);
-            follow(place, CounterRandom.bits(key, i), i % RAYS_FOR_A_DEEP_ONE == 0 ? BOUNCES : OWN_BOUNCES);
+            follow(place, CounterRandom.bits(key, i), i % RAYS_FOR_A_DEEP_ONE == deep ? BOUNCES : OWN_BOUNCES);
         }
     }
 

@@ -29,26 +29,35 @@ final class IrradianceCache {
         this.tree = tree;
     }
 
-    /** What places tell of their surroundings. */
-    static IrradianceCache near(List<Place> places, Color further) {
-        double[] radii = new double[places.size()];
-        for (int i = 0; i < radii.length; i++) {
-            radii[i] = places.get(i).radius();
-        }
-        return of(places, radii, further);
+    /** How far from its place a record counts. */
+    enum Reach {
+        /** As far as it is that of others too. */
+        NEAR {
+            @Override
+            double of(Place place) {
+                return place.radius();
+            }
+        },
+
+        /** As far as it is better than nothing. */
+        WIDE {
+            @Override
+            double of(Place place) {
+                return place.wideRadius();
+            }
+        };
+
+        abstract double of(Place place);
     }
 
-    /** What places tell where others are missing. */
-    static IrradianceCache wide(List<Place> places, Color further) {
-        double[] radii = new double[places.size()];
-        for (int i = 0; i < radii.length; i++) {
-            radii[i] = places.get(i).wideRadius();
-        }
-        return of(places, radii, further);
-    }
-
-    /** At least one place; {@code further} is what arrives by further bounces than their own. */
-    private static IrradianceCache of(List<Place> places, double[] radii, Color further) {
+    /**
+     * A cache of what was gathered.
+     *
+     * @param places at least one
+     * @param reach of their records
+     * @param further what arrives by further bounces than their own, where these end
+     */
+    static IrradianceCache of(List<Place> places, Reach reach, Color further) {
         double[] balls = new double[BallTree.STRIDE * places.size()];
         for (int i = 0; i < places.size(); i++) {
             HitPoint point = places.get(i).point();
@@ -56,14 +65,14 @@ final class IrradianceCache {
             balls[at] = point.x();
             balls[at + 1] = point.y();
             balls[at + 2] = point.z();
-            balls[at + BallTree.RADIUS] = radii[i];
+            balls[at + BallTree.RADIUS] = reach.of(places.get(i));
         }
         BallTree tree = new BallTree(balls);
         double[] records = new double[STRIDE * places.size()];
         int at = 0;
         for (int i : tree.order()) {
             write(records, at, places.get(i), further);
-            records[at + PER_RADIUS] = 1 / radii[i];
+            records[at + PER_RADIUS] = 1 / balls[BallTree.STRIDE * i + BallTree.RADIUS];
             at += STRIDE;
         }
         return new IrradianceCache(records, tree);

@@ -95,8 +95,8 @@ final class PlaceGrid {
     /** Chooses those places of every n-th row and column that the ones chosen before do not cover. */
     List<Place> choose(int step, List<Place> before) {
         List<Place> chosen = new ArrayList<>();
-        Optional<IrradianceCache> covered =
-            before.isEmpty() ? Optional.empty() : Optional.of(IrradianceCache.near(before, Color.BLACK));
+        Optional<IrradianceCache> covered = before.isEmpty() ? Optional.empty()
+            : Optional.of(IrradianceCache.of(before, IrradianceCache.Reach.NEAR, Color.BLACK));
         for (int row = 0; row < edge; row += step) {
             for (int column = 0; column < edge; column += step) {
                 Optional<Place> place = places.get(edge * row + column);

@@ -32,7 +32,7 @@ class AmbientLookupTest {
     }
 
     private static AmbientLookup lookup(List<Place> places, double mean) {
-        return new AmbientLookup(AmbientLight.between(places, Color.BLACK).withMean(new Color(mean, mean / 2, 0)));
+        return new AmbientLookup(AmbientLight.between(places, Color.BLACK, new Color(mean, mean / 2, 0)));
     }
 
     private static List<Place> scattered(int count, double size) {
