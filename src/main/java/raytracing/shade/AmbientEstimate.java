@@ -23,9 +23,8 @@ public final class AmbientEstimate {
     /** Edge of the grid, in places. */
     private static final int GRID = 40;
 
-    /** Where no place of a grid sees a surface with an ambient colour, one that is so much finer may. */
+    /** Where no place of the grid sees a surface with an ambient colour, one of a grid that is so much finer may. */
     private static final int FINER = 4;
-    private static final int FINEST_GRID = GRID * FINER * FINER;
 
     /** Every n-th column and row of the grid is looked at in the first step. */
     private static final int COARSEST_STEP = 4;
@@ -80,8 +79,8 @@ public final class AmbientEstimate {
 
     private AmbientLight estimate(int width, int height) {
         PlaceGrid grid = look(width, height, GRID);
-        while (grid.isEmpty() && grid.edge() < FINEST_GRID) {
-            grid = look(width, height, FINER * grid.edge());
+        if (grid.isEmpty()) {
+            grid = look(width, height, FINER * GRID);
         }
         return grid.isEmpty() ? AmbientLight.NONE : estimate(grid);
     }

