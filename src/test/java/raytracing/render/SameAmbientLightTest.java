@@ -1,4 +1,4 @@
-package raytracing.ambient;
+package raytracing.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -8,11 +8,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.ambient.AmbientScenes;
 import raytracing.color.Color;
 import raytracing.compiled.Shortcut;
 import raytracing.film.Film;
-import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
 import raytracing.scene.Scene;
 
 /** The estimate depends on the scene, the picture's shape and the seed, and on nothing else. */
@@ -20,25 +19,17 @@ class SameAmbientLightTest {
     private static final Scene SCENE = AmbientScenes.halfClosed();
     private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(30, 20);
 
-    private static void assertSame(Film expected, Film found) {
-        for (int y = 0; y < expected.height(); y++) {
-            for (int x = 0; x < expected.width(); x++) {
-                assertEquals(expected.get(x, y), found.get(x, y), "pixel " + x + ", " + y);
-            }
-        }
-    }
-
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 7, 64})
     void forEveryNumberOfThreads(int threads) {
-        assertSame(new Renderer(SCENE, SMALL.withWorkers(1, 16)).render(),
+        RendererTest.assertSamePixels(new Renderer(SCENE, SMALL.withWorkers(1, 16)).render(),
             new Renderer(SCENE, SMALL.withWorkers(threads, 16)).render());
     }
 
     @ParameterizedTest
     @EnumSource(Shortcut.class)
     void withoutAnyShortcut(Shortcut shortcut) {
-        assertSame(new Renderer(SCENE, SMALL).render(),
+        RendererTest.assertSamePixels(new Renderer(SCENE, SMALL).render(),
             new Renderer(SCENE, SMALL, EnumSet.complementOf(EnumSet.of(shortcut))).render());
     }
 
