@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.Map;
 import raytracing.ambient.AmbientPart;
 import raytracing.ambient.AmbientScenes;
 import raytracing.color.Color;
@@ -41,11 +41,8 @@ final class AmbientErrors {
     /** What a picture gains: none, one colour, light that varies. */
     static String summary(Effort effort) throws IOException, RayTracerException {
         List<List<String>> rows = new ArrayList<>();
-        for (AmbientRoom room : AmbientRoom.values()) {
-            Optional<Scene> scene = room.scene();
-            if (scene.isPresent()) {
-                rows.add(pictureRow(room.title(), scene.get(), effort));
-            }
+        for (Map.Entry<String, Scene> room : AmbientRoom.scenes().entrySet()) {
+            rows.add(pictureRow(room.getKey(), room.getValue(), effort));
         }
         return MarkdownTable.of(List.of("scene", "no ambient light: RMSE", "one colour: RMSE", "light that varies: RMSE",
             "frame without, ms", "the estimate, ms", "frame in one colour, ms", "in light that varies, ms"), rows);
@@ -99,11 +96,8 @@ final class AmbientErrors {
     /** The one colour beside the mean of the truth, over some seeds. */
     static String section(Effort effort) throws IOException, RayTracerException {
         List<List<String>> rows = new ArrayList<>();
-        for (AmbientRoom room : AmbientRoom.values()) {
-            Optional<Scene> scene = room.scene();
-            if (scene.isPresent()) {
-                rows.add(meanRow(room.title(), AmbientScenes.withWhiteAmbient(scene.get()), effort));
-            }
+        for (Map.Entry<String, Scene> room : AmbientRoom.scenes().entrySet()) {
+            rows.add(meanRow(room.getKey(), AmbientScenes.withWhiteAmbient(room.getValue()), effort));
         }
         return String.format(Locale.ROOT,
             "The one colour of the whole room beside the mean of the truth: %d x %d pixels with %d x %d rays "

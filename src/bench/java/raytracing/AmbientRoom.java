@@ -2,6 +2,8 @@ package raytracing;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import raytracing.ambient.AmbientScenes;
 import raytracing.parse.RayTracerException;
@@ -59,8 +61,16 @@ enum AmbientRoom {
     /** None if it is not there. */
     abstract Optional<Scene> scene() throws IOException, RayTracerException;
 
-    String title() {
-        return title;
+    /** Those that are there, by their titles, in order. */
+    static Map<String, Scene> scenes() throws IOException, RayTracerException {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        for (AmbientRoom room : values()) {
+            Optional<Scene> scene = room.scene();
+            if (scene.isPresent()) {
+                scenes.put(room.title, scene.get());
+            }
+        }
+        return scenes;
     }
 
     /** A sentence about what is not there, or nothing. */

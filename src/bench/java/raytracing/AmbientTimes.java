@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import raytracing.ambient.AmbientScenes;
 import raytracing.parse.RayTracerException;
 import raytracing.scene.Scene;
@@ -15,23 +15,18 @@ import raytracing.timed.Spread;
 
 /** What ambient light costs whole processes, from a cold start: the same scene with a scale of 1 and of 0, in turn. */
 final class AmbientTimes {
-    private static final List<TimedScene> COURSE = List.of(TimedScene.POOL, TimedScene.SPHERES, TimedScene.BUBBLES,
+    private static final List<TimedScene> OTHERS = List.of(TimedScene.POOL, TimedScene.SPHERES, TimedScene.BUBBLES,
         TimedScene.FLAKE_7381);
-    private static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
-    private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
 
     private AmbientTimes() {
     }
 
     static String section(Effort effort, Path folder) throws IOException, RayTracerException {
         List<List<String>> rows = new ArrayList<>();
-        for (AmbientRoom room : AmbientRoom.values()) {
-            Optional<Scene> scene = room.scene();
-            if (scene.isPresent()) {
-                rows.add(row(room.title(), scene.get(), effort, folder));
-            }
+        for (Map.Entry<String, Scene> room : AmbientRoom.scenes().entrySet()) {
+            rows.add(row(room.getKey(), room.getValue(), effort, folder));
         }
-        for (TimedScene timed : COURSE) {
+        for (TimedScene timed : OTHERS) {
             if (timed.isThere()) {
                 rows.add(row(timed.title() + ", all diffuse colours ambient too",
                     AmbientScenes.withAmbientColors(timed.scene()), effort, folder));
@@ -73,7 +68,7 @@ final class AmbientTimes {
     }
 
     private static double seconds(Path scene, Path folder) throws IOException {
-        return MeasuredProcess.run(List.of(JAVA.toString(), "-jar", JAR.toString(), scene.toString(),
+        return MeasuredProcess.run(MeasuredProcess.program(scene.toString(),
             folder.resolve("picture.png").toString())).wallSeconds();
     }
 

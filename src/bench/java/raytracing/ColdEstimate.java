@@ -3,7 +3,6 @@ package raytracing;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.List;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
@@ -12,7 +11,6 @@ import raytracing.scene.Scene;
 /** How long a scene takes to be made ready in a virtual machine that has done nothing yet but read it. */
 public final class ColdEstimate {
     private static final double NANOSECONDS_IN_SECOND = 1e9;
-    private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
 
     private ColdEstimate() {
     }
@@ -31,7 +29,7 @@ public final class ColdEstimate {
 
     /** Runs {@link #main} in a virtual machine of its own. */
     static double seconds(Path scene) throws IOException {
-        Process process = new ProcessBuilder(List.of(JAVA.toString(), "-cp", System.getProperty("java.class.path"),
+        Process process = new ProcessBuilder(MeasuredProcess.java("-cp", System.getProperty("java.class.path"),
             ColdEstimate.class.getName(), scene.toString())).start();
         return Double.parseDouble(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
     }

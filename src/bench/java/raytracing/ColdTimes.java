@@ -29,8 +29,6 @@ final class ColdTimes {
         TimedScene.ROOM1, 3, TimedScene.SPHERES, 4, TimedScene.POOL, 6, TimedScene.NEST, 8,
         TimedScene.FLAKE_597871, 3, TimedScene.FLAKE_597871_SOFT, 5);
 
-    private static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
-    private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
     private static final String NONE = "-";
 
     private final List<Match> matches = new ArrayList<>();
@@ -80,7 +78,7 @@ final class ColdTimes {
     private static Match match(TimedScene scene, Effort effort, Optional<PovRay> povRay, Path folder)
             throws IOException, RayTracerException {
         Match match = new Match(scene, new ArrayList<>(), new ArrayList<>());
-        List<String> ours = List.of(JAVA.toString(), "-jar", JAR.toString(), scene.file(folder).toString(),
+        List<String> ours = MeasuredProcess.program(scene.file(folder).toString(),
             folder.resolve("ours.png").toString());
         Path translated = folder.resolve("peer.pov");
         if (povRay.isPresent()) {

@@ -14,6 +14,8 @@ import raytracing.timed.ProcessCost;
  */
 public final class MeasuredProcess {
     private static final double NANOSECONDS = 1e9;
+    private static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
+    private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
     private static final boolean GNU_TIME = isGnuTimeThere();
 
     private MeasuredProcess() {
@@ -41,6 +43,16 @@ public final class MeasuredProcess {
     private static List<String> timed(Path report, List<String> command) {
         List<String> time = List.of("time", "-o", report.toString(), "-f", ProcessCost.TIME_FORMAT);
         return Stream.concat(time.stream(), command.stream()).toList();
+    }
+
+    /** The command that runs a virtual machine like this one. */
+    static List<String> java(String... arguments) {
+        return Stream.concat(Stream.of(JAVA.toString()), Stream.of(arguments)).toList();
+    }
+
+    /** The command that runs the program. */
+    static List<String> program(String... arguments) {
+        return Stream.concat(java("-jar", JAR.toString()).stream(), Stream.of(arguments)).toList();
     }
 
     /** Runs a command to its end, which must be a good one. */

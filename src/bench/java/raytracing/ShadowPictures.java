@@ -25,8 +25,6 @@ final class ShadowPictures {
     private static final double VISIBLE = 1 / 512.0;
     private static final ShadowMethod EXACT = new ShadowMethod.Exact();
     private static final ShadowMethod SAMPLED = ShadowMethod.Sampled.withRoot(PEERS_ROOT);
-    private static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
-    private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
 
     private ShadowPictures() {
     }
@@ -114,7 +112,7 @@ final class ShadowPictures {
     }
 
     private static double seconds(Path scene, Path folder, String option, String value) throws IOException {
-        return MeasuredProcess.run(List.of(JAVA.toString(), "-jar", JAR.toString(), scene.toString(),
+        return MeasuredProcess.run(MeasuredProcess.program(scene.toString(),
             folder.resolve("picture.png").toString(), option, value)).wallSeconds();
     }
 

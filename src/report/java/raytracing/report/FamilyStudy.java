@@ -27,8 +27,10 @@ record FamilyStudy(Family family, Reference reference, List<Measurement> measure
     private static final List<Long> SEEDS_OF_HALVES =
         List.of(RenderSettings.DEFAULT_SEED + 1, RenderSettings.DEFAULT_SEED + 2);
 
-    static FamilyStudy of(Family family, Scene scene, RenderSettings settings, Budget budget, Progress progress) {
-        Reference reference = reference(family.halves(budget), scene, settings, progress.in(family.title()));
+    static FamilyStudy of(Family family, Scene scene, AmbientLight ambientLight, RenderSettings settings, Budget budget,
+                          Progress progress) {
+        Reference reference = reference(family.halves(budget), scene, ambientLight, settings,
+            progress.in(family.title()));
         List<Setting> all = family.settings(scene, budget);
         List<Rounds.Drawn> drawn = Rounds.of(
             all.stream().map(setting -> new Renderer(scene, setting.in(settings))).toList(), budget,
@@ -41,8 +43,8 @@ record FamilyStudy(Family family, Reference reference, List<Measurement> measure
         return new FamilyStudy(family, reference, measurements);
     }
 
-    private static Reference reference(List<Setting> halves, Scene scene, RenderSettings settings, Progress progress) {
-        AmbientLight ambientLight = new Renderer(scene, settings).ambientLight();
+    private static Reference reference(List<Setting> halves, Scene scene, AmbientLight ambientLight,
+                                       RenderSettings settings, Progress progress) {
         List<Film> films = new ArrayList<>();
         long start = System.nanoTime();
         for (int i = 0; i < halves.size(); i++) {

@@ -28,14 +28,14 @@ record SceneStudy(String title, Scene scene, AmbientLight ambientLight, List<Fam
     static SceneStudy of(Path file, Budget budget, Progress progress) throws IOException, RayTracerException {
         Scene scene = RayTracer.parseScene(file);
         RenderSettings settings = settings(budget);
+        AmbientLight ambientLight = new Renderer(scene, settings).ambientLight();
         List<FamilyStudy> families = new ArrayList<>();
         for (Family family : Family.values()) {
             if (family.concerns(scene)) {
-                families.add(FamilyStudy.of(family, scene, settings, budget, progress));
+                families.add(FamilyStudy.of(family, scene, ambientLight, settings, budget, progress));
             }
         }
-        SceneStudy study = new SceneStudy(title(file), scene,
-            new Renderer(scene, settings).ambientLight(), families,
+        SceneStudy study = new SceneStudy(title(file), scene, ambientLight, families,
             SpeedUps.measured(scene, settings, budget, progress),
             SpeedUps.measured(scene, Setting.exact().in(settings), budget, progress),
             ColdRuns.measured(file, budget, progress));
