@@ -124,7 +124,7 @@ final class EdgeRules {
     }
 
     private static void add(Outcome outcome, Film one, Film everywhere, Film reference, boolean[] isEdge) {
-        Film refined = one.copy();
+        Film refined = one.part(0, 0, one.width(), one.height());
         int count = 0;
         for (int i = 0; i < isEdge.length; i++) {
             if (isEdge[i]) {

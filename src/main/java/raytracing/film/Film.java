@@ -2,6 +2,7 @@ package raytracing.film;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.WritableRaster;
+import java.util.BitSet;
 import raytracing.color.Color;
 
 /**
@@ -14,10 +15,14 @@ public final class Film {
 
     private static final int CHANNELS = 3;
     private static final int FULL = 255;
+    private static final int OPAQUE = 0xff000000;
 
     private final int width;
     private final int height;
     private final double[] light;
+
+    /** Pixels that were not finished; none but in pictures that were stopped. */
+    private final BitSet gaps = new BitSet();
 
     /**
      * A black film.
@@ -26,22 +31,27 @@ public final class Film {
      * @param height in pixels, at least 1; width times height at most {@link #MOST_PIXELS}
      */
     public Film(int width, int height) {
-        this(width, height, new double[CHANNELS * Math.multiplyExact(width, height)]);
-    }
-
-    private Film(int width, int height, double[] light) {
         this.width = width;
         this.height = height;
-        this.light = light;
+        light = new double[CHANNELS * Math.multiplyExact(width, height)];
     }
 
     /**
-     * Another film with the same picture.
+     * Another film with some of this film's rows and columns.
      *
+     * @param left first column
+     * @param top first row
+     * @param partWidth how many columns
+     * @param partHeight how many rows
      * @return a copy that has its own pixels
      */
-    public Film copy() {
-        return new Film(width, height, light.clone());
+    public Film part(int left, int top, int partWidth, int partHeight) {
+        Film part = new Film(partWidth, partHeight);
+        for (int y = 0; y < partHeight; y++) {
+            System.arraycopy(light, CHANNELS * ((top + y) * width + left), part.light, CHANNELS * (y * partWidth),
+                CHANNELS * partWidth);
+        }
+        return part;
     }
 
     /**
@@ -91,6 +101,27 @@ public final class Film {
     }
 
     /**
+     * Makes a pixel one that was not finished.
+     *
+     * @param x column, in [0, width)
+     * @param y row, in [0, height), from the top
+     * @param instead what it shows where a picture can have no gaps
+     */
+    public void leaveGap(int x, int y, Color instead) {
+        set(x, y, instead.red(), instead.green(), instead.blue());
+        gaps.set(y * width + x);
+    }
+
+    /**
+     * Whether some pixels were not finished.
+     *
+     * @return true if there are gaps
+     */
+    public boolean hasGaps() {
+        return !gaps.isEmpty();
+    }
+
+    /**
      * How far two pixels are apart in the picture, where light above 1 looks like 1.
      *
      * @param x column of the one, in [0, width)
@@ -126,17 +157,55 @@ public final class Film {
      * @return a picture of type {@link BufferedImage#TYPE_INT_RGB}
      */
     public BufferedImage toImage() {
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        return toImage(BufferedImage.TYPE_INT_RGB);
+    }
+
+    /**
+     * The picture as {@link #toImage} has it, with transparent black in its gaps.
+     *
+     * @return a picture of type {@link BufferedImage#TYPE_INT_ARGB}
+     */
+    BufferedImage toImageWithGaps() {
+        return toImage(BufferedImage.TYPE_INT_ARGB);
+    }
+
+    private BufferedImage toImage(int type) {
+        BufferedImage image = new BufferedImage(width, height, type);
         WritableRaster pixels = image.getRaster();   // copies rows; the image itself would convert pixel by pixel
         int[] row = new int[width];
         for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++) {
-                int i = CHANNELS * (y * width + x);
-                row[x] = encoded(light[i]) << 16 | encoded(light[i + 1]) << 8 | encoded(light[i + 2]);
+            encodeRow(y, row);
+            if (type == BufferedImage.TYPE_INT_ARGB) {
+                cutGaps(y, row);
             }
             pixels.setDataElements(0, y, width, 1, row);
         }
         return image;
+    }
+
+    /** Writes a row of the picture into an array: 8 bits each of red, green and blue, the last lowest. */
+    void encodeRow(int y, int[] row) {
+        for (int x = 0; x < width; x++) {
+            row[x] = encoded(x, y);
+        }
+    }
+
+    private void cutGaps(int y, int[] row) {
+        for (int x = 0; x < width; x++) {
+            row[x] = gaps.get(y * width + x) ? 0 : OPAQUE | row[x];
+        }
+    }
+
+    /**
+     * What a picture shows of a pixel.
+     *
+     * @param x column, in [0, width)
+     * @param y row, in [0, height), from the top
+     * @return 8 bits each of red, green and blue, the last lowest
+     */
+    public int encoded(int x, int y) {
+        int i = CHANNELS * (y * width + x);
+        return encoded(light[i]) << 16 | encoded(light[i + 1]) << 8 | encoded(light[i + 2]);
     }
 
     private static int encoded(double channel) {

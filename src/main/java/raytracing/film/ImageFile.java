@@ -1,5 +1,7 @@
 package raytracing.film;
 
+import java.awt.image.BufferedImage;
+import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -81,7 +83,7 @@ public final class ImageFile {
             @Override
             public void run() {
                 try {
-                    encode(new Film(1, 1), OutputStream.nullOutputStream());
+                    encode(new Film(1, 1).toImage(), OutputStream.nullOutputStream());
                 } catch (IOException | RuntimeException | Error reportedByWrite) {
                     // nothing is lost but the head start
                 }
@@ -92,17 +94,30 @@ public final class ImageFile {
     }
 
     /**
-     * Writes the picture.
+     * Writes a picture that is there.
      *
      * @param film the picture
      * @throws IOException if it cannot be written; then whatever stood there before still does
      */
     public void write(Film film) throws IOException {
+        write(Bands.of(film));
+    }
+
+    /**
+     * Writes a picture band by band. PNG and BMP files are written as the bands come, the first of which is awaited before
+     * there is a file; other formats need the whole picture in memory, 4 bytes a pixel. Gaps are transparent in a PNG
+     * of one band.
+     *
+     * @param bands of the picture; what they throw is thrown
+     * @throws IOException if it cannot be written; then whatever stood there before still does
+     */
+    public void write(Bands bands) throws IOException {
+        RenderedImage image = image(bands);
         Path unfinished = folder().resolve(UNFINISHED + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX));
         unfinished.toFile().deleteOnExit();  // also when a signal ends the program while it writes
         try {
             try (OutputStream stream = Files.newOutputStream(unfinished, StandardOpenOption.CREATE_NEW)) {
-                encode(film, stream);
+                encode(image, stream);
             }
             moveIntoPlace(unfinished);
         } finally {
@@ -110,13 +125,33 @@ public final class ImageFile {
         }
     }
 
+    private RenderedImage image(Bands bands) {
+        if (bands.count() == 1) {
+            Film film = bands.band(0);
+            return film.hasGaps() && format == ImageFormat.PNG ? film.toImageWithGaps() : film.toImage();
+        }
+        if (format.reading() != ImageFormat.Reading.WHOLE) {
+            return new BandedImage(bands, format.reading() == ImageFormat.Reading.DOWN ? 0 : bands.count() - 1);
+        }
+        BufferedImage whole = new BufferedImage(bands.width(), bands.height(), BufferedImage.TYPE_INT_RGB);
+        int[] row = new int[bands.width()];
+        for (int i = 0; i < bands.count(); i++) {
+            Film band = bands.band(i);
+            for (int y = 0; y < band.height(); y++) {
+                band.encodeRow(y, row);
+                whole.getRaster().setDataElements(0, i * bands.bandHeight() + y, row.length, 1, row);
+            }
+        }
+        return whole;
+    }
+
     /** One at a time: threads that first meet the classes of a library in different orders may wait for each other. */
-    private synchronized void encode(Film film, OutputStream stream) throws IOException {
+    private synchronized void encode(RenderedImage image, OutputStream stream) throws IOException {
         ImageIO.setUseCache(false);          // its cache is a file in another folder, which may be full or forbidden
         ImageWriter writer = ImageIO.getImageWritersByFormatName(format.imageIoName()).next();
         try (ImageOutputStream output = ImageIO.createImageOutputStream(stream)) {
             writer.setOutput(output);
-            writer.write(null, new IIOImage(film.toImage(), null, null), parameters(writer));
+            writer.write(null, new IIOImage(image, null, null), parameters(writer));
         } finally {
             writer.dispose();
         }

@@ -7,22 +7,26 @@ import java.util.Optional;
 /** The kinds of picture files that this program writes. */
 public enum ImageFormat {
     /** Every pixel as computed, compressed without loss. */
-    PNG(Integer.MAX_VALUE, "png"),
+    PNG(Film.MOST_PIXELS, Long.MAX_VALUE, Reading.DOWN, "png"),
 
     /** Compressed with loss. */
-    JPEG(65_500, "jpg", "jpeg"),
+    JPEG(65_500, Integer.MAX_VALUE - 8, Reading.WHOLE, "jpg", "jpeg"),
 
-    /** Every pixel as computed, not compressed. */
-    BMP(Integer.MAX_VALUE, "bmp"),
+    /** Every pixel as computed, not compressed: 2 GB at most, with rows of up to 3 bytes more than their pixels need. */
+    BMP(Film.MOST_PIXELS, 500_000_000, Reading.UP, "bmp"),
 
     /** Reduced to 256 colours. */
-    GIF(65_535, "gif");
+    GIF(65_535, Integer.MAX_VALUE - 8, Reading.WHOLE, "gif");
 
     private final int longestSide;
+    private final long mostPixels;
+    private final Reading reading;
     private final List<String> endings;
 
-    ImageFormat(int longestSide, String... endings) {
+    ImageFormat(int longestSide, long mostPixels, Reading reading, String... endings) {
         this.longestSide = longestSide;
+        this.mostPixels = mostPixels;
+        this.reading = reading;
         this.endings = List.of(endings);
     }
 
@@ -53,8 +57,34 @@ public enum ImageFormat {
         return longestSide;
     }
 
+    /**
+     * The largest picture that a file of this format can hold.
+     *
+     * @return width times height
+     */
+    public long mostPixels() {
+        return mostPixels;
+    }
+
+    /** How ImageIO's writer reads the picture. */
+    Reading reading() {
+        return reading;
+    }
+
     /** What ImageIO calls the format. */
     String imageIoName() {
         return endings.get(0);
+    }
+
+    /** How a writer reads a picture. */
+    enum Reading {
+        /** Row by row from the top, each once, keeping none. */
+        DOWN,
+
+        /** Row by row from the bottom, each once, keeping none. */
+        UP,
+
+        /** As it likes. */
+        WHOLE
     }
 }

@@ -12,15 +12,15 @@ final class FirstPass {
     /** Neighbours whose shown channels differ by more have an edge between them (measured: DECISIONS). */
     private static final double MOST_CONTRAST = 8 / 255.0;
 
-    private final Tile part;
+    private final Region part;
     private final int width;
     private final Film film;
     private final long[] fingerprints;
 
-    FirstPass(Tile part) {
+    FirstPass(Region part) {
         this.part = part;
-        width = part.right() - part.left();
-        film = new Film(width, part.bottom() - part.top());
+        width = part.width();
+        film = new Film(width, part.height());
         fingerprints = new long[width * film.height()];
     }
 
@@ -31,6 +31,11 @@ final class FirstPass {
         int row = y - part.top();
         film.set(column, row, light.red(), light.green(), light.blue());
         fingerprints[row * width + column] = shader.fingerprint();
+    }
+
+    /** What it sees of the picture. */
+    Region part() {
+        return part;
     }
 
     /** The light of the pixels, (0, 0) at the part's left and upper corner. */

@@ -4,20 +4,22 @@ import raytracing.compiled.ShadowMode;
 import raytracing.shade.ShadowMethod;
 
 /**
- * What the command, not the scene, decides about a picture. Only the first six decide what is in it.
+ * What the command, not the scene, decides about a picture. Only the first six decide what is in it, and the region which part
+ * of it is drawn.
  *
  * @param width of the picture in pixels, at least 1
- * @param height of the picture in pixels, at least 1; width times height at most
- *         {@link raytracing.film.Film#MOST_PIXELS}
+ * @param height of the picture in pixels, at least 1
  * @param seed of all random numbers
  * @param shadowMode what transparent surfaces do to light that falls through them
  * @param shadowMethod how soft shadows are found
  * @param sampling how many rays of the eye a pixel gets
+ * @param region the part of the picture that is drawn
  * @param threads how many work at once, at least 1
  * @param tileSize edge of the squares that threads take in turn, in pixels, at least 1
  */
 public record RenderSettings(int width, int height, long seed, ShadowMode shadowMode,
-                             ShadowMethod shadowMethod, PixelSampling sampling, int threads, int tileSize) {
+                             ShadowMethod shadowMethod, PixelSampling sampling, Region region, int threads,
+                             int tileSize) {
     /** Small enough that the last tiles end together, large enough that taking one costs nothing beside it. */
     public static final int DEFAULT_TILE_SIZE = 16;
 
@@ -30,17 +32,19 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
     /** What is drawn when the user names a scene and nothing else. */
     public static final RenderSettings DEFAULT = new RenderSettings(DEFAULT_SIZE, DEFAULT_SIZE, DEFAULT_SEED,
         ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, ShadowMethod.OF_THE_SCENE, PixelSampling.ONE_RAY,
+        Region.whole(DEFAULT_SIZE, DEFAULT_SIZE),
         Runtime.getRuntime().availableProcessors(), DEFAULT_TILE_SIZE);
 
     /**
-     * The same for another size.
+     * The same for another size, all of the picture.
      *
      * @param newWidth in pixels, at least 1
      * @param newHeight in pixels, at least 1
-     * @return these settings but for the size
+     * @return these settings but for size and region
      */
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, seed, shadowMode, shadowMethod, sampling, threads, tileSize);
+        return new RenderSettings(newWidth, newHeight, seed, shadowMode, shadowMethod, sampling,
+            Region.whole(newWidth, newHeight), threads, tileSize);
     }
 
     /**
@@ -50,7 +54,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the seed
      */
     public RenderSettings withSeed(long newSeed) {
-        return new RenderSettings(width, height, newSeed, shadowMode, shadowMethod, sampling, threads, tileSize);
+        return new RenderSettings(width, height, newSeed, shadowMode, shadowMethod, sampling, region, threads, tileSize);
     }
 
     /**
@@ -60,7 +64,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the shadows
      */
     public RenderSettings withShadowMode(ShadowMode newShadowMode) {
-        return new RenderSettings(width, height, seed, newShadowMode, shadowMethod, sampling, threads, tileSize);
+        return new RenderSettings(width, height, seed, newShadowMode, shadowMethod, sampling, region, threads, tileSize);
     }
 
     /**
@@ -70,7 +74,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the method
      */
     public RenderSettings withShadowMethod(ShadowMethod newShadowMethod) {
-        return new RenderSettings(width, height, seed, shadowMode, newShadowMethod, sampling, threads, tileSize);
+        return new RenderSettings(width, height, seed, shadowMode, newShadowMethod, sampling, region, threads, tileSize);
     }
 
     /**
@@ -80,7 +84,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for those rays
      */
     public RenderSettings withSampling(PixelSampling newSampling) {
-        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, newSampling, threads, tileSize);
+        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, newSampling, region, threads, tileSize);
     }
 
     /**
@@ -91,6 +95,17 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
      * @return these settings but for the sharing
      */
     public RenderSettings withWorkers(int newThreads, int newTileSize) {
-        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, sampling, newThreads, newTileSize);
+        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, sampling,
+            region, newThreads, newTileSize);
+    }
+
+    /**
+     * The same for a part of the picture.
+     *
+     * @param newRegion within the picture
+     * @return these settings but for the region
+     */
+    public RenderSettings withRegion(Region newRegion) {
+        return new RenderSettings(width, height, seed, shadowMode, shadowMethod, sampling, newRegion, threads, tileSize);
     }
 }

@@ -1,8 +1,6 @@
 package raytracing.render;
 
-import java.util.ArrayList;
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Set;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
@@ -27,6 +25,8 @@ public final class Renderer {
     private final PixelRays pixelRays;
     private final CompiledScene compiled;
     private final AmbientLight ambientLight;
+    private final long compilingNanoseconds;
+    private final long ambientNanoseconds;
 
     /**
      * Makes a scene ready to be drawn.
@@ -50,8 +50,12 @@ public final class Renderer {
         this.settings = settings;
         pixelRays = new PixelRays(scene.camera(), settings.width(), settings.height());
         ThreadWorkers workers = new ThreadWorkers(settings.threads());
+        long start = System.nanoTime();
         compiled = new CompiledScene(scene, settings.shadowMode(), shortcuts, workers);
+        long isCompiled = System.nanoTime();
         ambientLight = AmbientEstimate.of(scene, compiled, settings.width(), settings.height(), settings.seed(), workers);
+        compilingNanoseconds = isCompiled - start;
+        ambientNanoseconds = System.nanoTime() - isCompiled;
     }
 
     private Renderer(Renderer other, AmbientLight ambientLight) {
@@ -59,6 +63,8 @@ public final class Renderer {
         scene = other.scene;
         pixelRays = other.pixelRays;
         compiled = other.compiled;
+        compilingNanoseconds = other.compilingNanoseconds;
+        ambientNanoseconds = other.ambientNanoseconds;
         this.ambientLight = ambientLight;
     }
 
@@ -82,6 +88,24 @@ public final class Renderer {
     }
 
     /**
+     * How long the scene took to be compiled: its arrays and hierarchies.
+     *
+     * @return wall time in nanoseconds
+     */
+    public long compilingNanoseconds() {
+        return compilingNanoseconds;
+    }
+
+    /**
+     * How long the ambient light took to be estimated.
+     *
+     * @return wall time in nanoseconds
+     */
+    public long ambientNanoseconds() {
+        return ambientNanoseconds;
+    }
+
+    /**
      * The light of one pixel.
      *
      * @param x column, from 0 on the left
@@ -93,9 +117,9 @@ public final class Renderer {
     }
 
     /**
-     * Draws the whole picture, with as many threads as the settings say; the calling one is one of them.
+     * Draws the region of the settings, with as many threads as they say, while the calling one waits.
      *
-     * @return the finished film
+     * @return the finished film, as large as the region
      * @throws IllegalStateException if a pixel failed, which is a defect of this program; names the pixel
      */
     public Film render() {
@@ -109,17 +133,22 @@ public final class Renderer {
      * @throws IllegalStateException if a pixel failed, which is a defect of this program; names the pixel
      */
     public Rendering draw() {
-        if (!hasOneRay()) {
-            return new SmoothEdges(this, settings).draw();
-        }
-        Film film = new Film(settings.width(), settings.height());
-        TileQueue tiles = tiles();
-        List<TileWorker> workers = new ArrayList<>();
-        for (int i = 0; i < settings.threads(); i++) {
-            workers.add(new TileWorker(this, film, tiles));
-        }
-        TileWorker.runAll(workers);
-        return new Rendering(film, 0);
+        Drawing drawing = new Drawing(this, settings, settings.region().height(), new Cancellation(),
+            Cancellation.Leftovers.DISCARD, DrawingListener.NONE);
+        return new Rendering(drawing.band(0), drawing.refinedPixels());
+    }
+
+    /**
+     * Makes ready to draw the region of the settings in bands.
+     *
+     * @param cancellation ends it
+     * @param leftovers what becomes of what is finished then
+     * @param listener is told what the picture looks like
+     * @return a drawing that has not begun
+     */
+    public Drawing drawing(Cancellation cancellation, Cancellation.Leftovers leftovers, DrawingListener listener) {
+        return new Drawing(this, settings, Drawing.bandHeight(settings.region(), settings.tileSize()), cancellation,
+            leftovers, listener);
     }
 
     private boolean hasOneRay() {
@@ -131,9 +160,9 @@ public final class Renderer {
         return new Shader(scene, compiled, settings.shadowMethod(), ambientLight);
     }
 
-    /** All of the picture. */
-    TileQueue tiles() {
-        return new TileQueue(settings.width(), settings.height(), settings.tileSize());
+    /** What stands where nothing was drawn. */
+    Color background() {
+        return scene.settings().background();
     }
 
     /** The light of the ray through a pixel's centre. */

@@ -29,29 +29,36 @@ final class SmoothEdges {
         boolean includes(int x, int y);
     }
 
-    /** The whole picture. */
-    Rendering draw() {
+    /**
+     * Draws a part of the picture. The first pass looks at the pixels around it too, so that an edge is an edge whatever
+     * part is asked for.
+     *
+     * @return what is finished; nothing of it is before the second pass
+     */
+    Exposure draw(Region part, Drawing drawing) {
         if (sampling.where() == PixelSampling.Where.EVERYWHERE) {
-            return refined(new Film(settings.width(), settings.height()), (x, y) -> true);
+            return refined(new Film(part.width(), part.height()), part, drawing, (x, y) -> true);
         }
-        FirstPass seen = new FirstPass(new Tile(0, 0, settings.width(), settings.height()));
-        TileQueue tiles = renderer.tiles();
+        FirstPass seen = new FirstPass(part.withNeighbours(settings.width(), settings.height()));
+        TileQueue tiles = new TileQueue(seen.part(), settings.tileSize());
         List<Looker> workers = new ArrayList<>();
         for (int i = 0; i < settings.threads(); i++) {
-            workers.add(new Looker(seen, tiles));
+            workers.add(new Looker(seen, part, tiles, drawing));
         }
-        TileWorker.runAll(workers);
-        return refined(seen.film().copy(), seen::isEdge);
+        drawing.run(workers);
+        Film film = seen.film().part(part.left() - seen.part().left(), part.top() - seen.part().top(),
+            part.width(), part.height());
+        return refined(film, part, drawing, seen::isEdge);
     }
 
-    private Rendering refined(Film film, Selection selection) {
-        TileQueue tiles = renderer.tiles();
+    private Exposure refined(Film film, Region part, Drawing drawing, Selection selection) {
+        TileQueue tiles = new TileQueue(part, settings.tileSize());
         List<Refiner> workers = new ArrayList<>();
         for (int i = 0; i < settings.threads(); i++) {
-            workers.add(new Refiner(film, tiles, selection));
+            workers.add(new Refiner(film, part, tiles, drawing, selection));
         }
-        TileWorker.runAll(workers);
-        return new Rendering(film, workers.stream().mapToLong(worker -> worker.refined).sum());
+        drawing.run(workers);
+        return new Exposure(film, tiles.unfinished());
     }
 
     /** One pixel of it: its neighbours are asked again whether there is an edge. */
@@ -60,8 +67,7 @@ final class SmoothEdges {
         if (sampling.where() == PixelSampling.Where.EVERYWHERE) {
             return mean(shader, x, y);
         }
-        Tile around = new Tile(Math.max(x - 1, 0), Math.max(y - 1, 0),
-            Math.min(x + 2, settings.width()), Math.min(y + 2, settings.height()));
+        Region around = new Region(x, y, x + 1, y + 1).withNeighbours(settings.width(), settings.height());
         FirstPass seen = new FirstPass(around);
         for (int j = around.top(); j < around.bottom(); j++) {
             for (int i = around.left(); i < around.right(); i++) {
@@ -100,34 +106,58 @@ final class SmoothEdges {
     /** The first pass. */
     private final class Looker extends TileWorker {
         private final FirstPass seen;
+        private final Region part;
+        private final Drawing drawing;
 
-        Looker(FirstPass seen, TileQueue tiles) {
-            super(renderer, seen.film(), tiles);
+        Looker(FirstPass seen, Region part, TileQueue tiles, Drawing drawing) {
+            super(renderer, tiles, drawing.cancellation());
             this.seen = seen;
+            this.part = part;
+            this.drawing = drawing;
         }
 
         @Override
         void draw(int x, int y) {
             seen.look(renderer, shader, x, y);
         }
+
+        @Override
+        void finished(Region tile) {
+            Region drawn = tile.within(part);
+            drawing.progress().looked(drawn.pixelCount());
+            drawing.listener().showTile(drawn, seen.film(), seen.part());
+        }
     }
 
     /** The second pass. */
     private final class Refiner extends TileWorker {
+        private final Film film;
+        private final Region part;
+        private final Drawing drawing;
         private final Selection selection;
         private long refined;
 
-        Refiner(Film film, TileQueue tiles, Selection selection) {
-            super(renderer, film, tiles);
+        Refiner(Film film, Region part, TileQueue tiles, Drawing drawing, Selection selection) {
+            super(renderer, tiles, drawing.cancellation());
+            this.film = film;
+            this.part = part;
+            this.drawing = drawing;
             this.selection = selection;
         }
 
         @Override
         void draw(int x, int y) {
             if (selection.includes(x, y)) {
-                expose(film, x, y, shader, x, y);
+                expose(film, x - part.left(), y - part.top(), shader, x, y);
                 refined++;
             }
+        }
+
+        @Override
+        void finished(Region tile) {
+            drawing.progress().refined(tile.pixelCount(), refined);
+            refined = 0;
+            drawing.listener().showTile(tile, film, part);
         }
     }
 }

@@ -27,10 +27,24 @@ final class ThreadWorkers implements Workers {
         try {
             first.run();
         } finally {
-            TileWorker.waitFor(thread);
+            waitFor(thread);
             idle.getAndIncrement();
         }
         helper.failure.rethrow();
+    }
+
+    private static void waitFor(Thread thread) {
+        boolean interrupted = false;
+        while (thread.isAlive()) {
+            try {
+                thread.join();
+            } catch (InterruptedException request) {
+                interrupted = true;          // what it works on is nobody's before it is done; pass the request on after that
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private static final class Helper implements Runnable {

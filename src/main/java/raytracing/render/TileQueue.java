@@ -1,43 +1,88 @@
 package raytracing.render;
 
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Deals out the tiles of a picture, row by row, to whichever thread asks next. */
+/**
+ * Deals out the tiles of a part of a picture to whichever thread asks next, and keeps a list of those that are finished.
+ *
+ * <p>Neighbours are dealt far apart: after each tile comes the one that lies the golden section of all of them further
+ * on, so that at any time the tiles dealt are spread evenly over the part (Weyl's sequence), and the share that is
+ * done says how long the rest will take.
+ */
 final class TileQueue {
-    private final int width;
-    private final int height;
-    private final int tileSize;
-    private final long columns;
-    private final long count;
-    private final AtomicLong dealt = new AtomicLong();
+    private static final double GOLDEN_SECTION = 0.6180339887498949;
 
-    TileQueue(int width, int height, int tileSize) {
-        this.width = width;
-        this.height = height;
+    private final Region part;
+    private final int tileSize;
+    private final int columns;
+    private final int count;
+    private final int stride;
+    private final AtomicLong dealt = new AtomicLong();
+    private final BitSet finished;
+
+    TileQueue(Region part, int tileSize) {
+        this.part = part;
         this.tileSize = tileSize;
-        columns = rounded(width);
-        count = columns * rounded(height);
+        columns = tilesIn(part.width());
+        count = Math.multiplyExact(columns, tilesIn(part.height()));
+        stride = coprime(Math.max(1, (int) Math.round(GOLDEN_SECTION * count)));
+        finished = new BitSet(count);
     }
 
-    private long rounded(int length) {
-        return ((long) length + tileSize - 1) / tileSize;
+    private int tilesIn(int length) {
+        return (int) (((long) length + tileSize - 1) / tileSize);
+    }
+
+    /** The least number from one on that has no divisor in common with the count: multiples of it reach every tile. */
+    private int coprime(int least) {
+        int candidate = least;
+        while (greatestCommonDivisor(candidate, count) > 1) {
+            candidate++;
+        }
+        return candidate;
+    }
+
+    private static int greatestCommonDivisor(int a, int b) {
+        return b == 0 ? a : greatestCommonDivisor(b, a % b);
     }
 
     /** A tile that nobody else gets, or none if all are dealt. */
-    Optional<Tile> next() {
+    Optional<Region> next() {
         long i = dealt.getAndIncrement();
-        if (i >= count) {
-            return Optional.empty();
-        }
-        long left = i % columns * tileSize;
-        long top = i / columns * tileSize;
-        return Optional.of(new Tile((int) left, (int) top,
-            (int) Math.min(width, left + tileSize), (int) Math.min(height, top + tileSize)));
+        return i < count ? Optional.of(tile((int) (i * stride % count))) : Optional.empty();
+    }
+
+    private Region tile(int number) {
+        int left = part.left() + number % columns * tileSize;
+        int top = part.top() + number / columns * tileSize;
+        return new Region(left, top, (int) Math.min(part.right(), (long) left + tileSize),
+            (int) Math.min(part.bottom(), (long) top + tileSize));
     }
 
     /** No more tiles for anybody. */
     void close() {
         dealt.set(count);
+    }
+
+    /** Every pixel of this tile is what it will be. */
+    synchronized void finish(Region tile) {
+        finished.set((tile.top() - part.top()) / tileSize * columns + (tile.left() - part.left()) / tileSize);
+    }
+
+    /** The tiles that are not finished yet; what those that are look like is seen by whoever asks. */
+    synchronized List<Region> unfinished() {
+        List<Region> tiles = new ArrayList<>();
+        for (int i = finished.nextClearBit(0); i < count; i = finished.nextClearBit(i + 1)) {
+            tiles.add(tile(i));
+        }
+        return tiles;
+    }
+
+    int count() {
+        return count;
     }
 }

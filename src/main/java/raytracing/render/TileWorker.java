@@ -1,67 +1,34 @@
 package raytracing.render;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
-import raytracing.film.Film;
-import raytracing.shade.LightSum;
 import raytracing.shade.Shader;
 
 /**
- * Draws tiles until none is left, one ray through the centre of each pixel. What goes wrong in it stops all workers and
- * is thrown where the film is awaited.
+ * Works on tiles until none is left or the work is cancelled. What goes wrong in it stops all workers and is thrown where
+ * their end is awaited.
  */
-class TileWorker implements Runnable {
+abstract class TileWorker implements Runnable {
     final Shader shader;
-    final Film film;
-    private final Renderer renderer;
+    final Failure failure = new Failure();
     private final TileQueue tiles;
-    private final Failure failure = new Failure();
+    private final Cancellation cancellation;
 
-    TileWorker(Renderer renderer, Film film, TileQueue tiles) {
-        this.renderer = renderer;
-        this.film = film;
+    TileWorker(Renderer renderer, TileQueue tiles, Cancellation cancellation) {
         this.tiles = tiles;
+        this.cancellation = cancellation;
         shader = renderer.shader();
-    }
-
-    /** Lets them work, each on a thread of its own, the first on the calling one; returns when all are done. */
-    static void runAll(List<? extends TileWorker> workers) {
-        List<Thread> helpers = new ArrayList<>();
-        for (TileWorker worker : workers.subList(1, workers.size())) {
-            Thread helper = new Thread(worker, "tiles");
-            helper.setDaemon(true);
-            helper.start();
-            helpers.add(helper);
-        }
-        workers.get(0).run();
-        for (Thread helper : helpers) {
-            waitFor(helper);
-        }
-        for (TileWorker worker : workers) {
-            worker.failure.rethrow();
-        }
-    }
-
-    static void waitFor(Thread thread) {
-        boolean interrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException request) {
-                interrupted = true;          // the film is nobody's before all are done; pass the request on after that
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     @Override
     public final void run() {
         try {
-            for (Optional<Tile> tile = tiles.next(); tile.isPresent(); tile = tiles.next()) {
+            for (Optional<Region> tile = tiles.next(); tile.isPresent(); tile = tiles.next()) {
                 drawAll(tile.get());
+                if (cancellation.isRequested()) {
+                    return;
+                }
+                tiles.finish(tile.get());
+                finished(tile.get());
             }
         } catch (RuntimeException | Error thrown) {
             failure.keep(thrown);
@@ -69,15 +36,17 @@ class TileWorker implements Runnable {
         }
     }
 
-    private void drawAll(Tile tile) {
+    /** What is done for a tile: something for each of its pixels. */
+    void drawAll(Region tile) {
         for (int y = tile.top(); y < tile.bottom(); y++) {
-            for (int x = tile.left(); x < tile.right(); x++) {
+            for (int x = tile.left(); x < tile.right() && !cancellation.isRequested(); x++) {
                 drawNamed(x, y);
             }
         }
     }
 
-    private void drawNamed(int x, int y) {
+    /** Draws a pixel, whose place is named if that fails. */
+    final void drawNamed(int x, int y) {
         try {
             draw(x, y);
         } catch (RuntimeException defect) {
@@ -85,9 +54,9 @@ class TileWorker implements Runnable {
         }
     }
 
-    /** What is done for one pixel. */
-    void draw(int x, int y) {
-        LightSum light = renderer.oneRay(shader, x, y);
-        film.set(x, y, light.red(), light.green(), light.blue());
-    }
+    /** What is done for one pixel of the picture. */
+    abstract void draw(int x, int y);
+
+    /** What is done when all pixels of a tile are. */
+    abstract void finished(Region tile);
 }

@@ -34,11 +34,12 @@ final class ExactShadows extends SoftShadows {
             return transmittanceFromMiddle(hit, surface, light, number, error);
         }
         if (shaft.isSettled()) {
-            return shaft.settledTransmittance();
+            return settledTransmittance(shaft);
         }
         if (shaft.isSorted()) {
+            countArea();
             return shadow.meanTransmittance(shaft);
         }
-        return shaft.sumOverCells(ROOT_IN_A_CROWD, key) / (ROOT_IN_A_CROWD * ROOT_IN_A_CROWD);
+        return sumOverCells(shaft, ROOT_IN_A_CROWD, key) / (ROOT_IN_A_CROWD * ROOT_IN_A_CROWD);
     }
 }

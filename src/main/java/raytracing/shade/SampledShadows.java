@@ -31,7 +31,7 @@ final class SampledShadows extends SoftShadows {
         Vector middle = light.position();
         ShadowShaft shaft = shafts[number];
         shaft.aim(hit, surface, middle.x(), middle.y(), middle.z(), error, light.width());
-        double sum = shaft.isSettled() ? sumOfEqual(shaft.settledTransmittance()) : shaft.sumOverCells(root, key);
+        double sum = shaft.isSettled() ? sumOfEqual(settledTransmittance(shaft)) : sumOverCells(shaft, root, key);
         return sum / ((double) root * root);
     }
 

@@ -82,6 +82,11 @@ public final class Shader {
     private final Weight weight = new Weight();
     private final Weight mirrorWeight = new Weight();
     private int surfacesMet;
+    private long eyeRays;
+    private long mirroredRays;
+    private long mirroredLeftOut;
+    private long allSurfacesMet;
+    private long pointsShaded;
     private long fingerprint;
     private double mirroredX;
     private double mirroredY;
@@ -197,7 +202,18 @@ public final class Shader {
         return fingerprint;
     }
 
+    /**
+     * What all calls of {@link #light} so far took together.
+     *
+     * @return numbers of rays by kind
+     */
+    public RayCounts counts() {
+        return new RayCounts(eyeRays, mirroredRays, mirroredLeftOut, allSurfacesMet, pointsShaded * lights.length,
+            shadows.asked(), shadows.settled(), shadows.rays(), shadows.areas());
+    }
+
     private void followAll(long key) {
+        eyeRays++;
         branches.clear();
         vertex.clear();
         surfacesMet = 0;
@@ -211,13 +227,16 @@ public final class Shader {
             fingerprint = FINGERPRINT_FACTOR * fingerprint + END_OF_RAY;
             goesOn = surfacesMet < mostSurfaces && branches.next();
             if (goesOn) {
+                mirroredRays++;
                 branches.start(walk);
                 branches.weigh(weight);
                 reflections = branches.reflections();
                 rayKey = branches.key();
             }
         }
+        allSurfacesMet += surfacesMet;
         while (branches.next()) {
+            mirroredLeftOut++;
             branches.weigh(weight);
             pixel.add(1, weight, background);
         }
@@ -281,7 +300,10 @@ public final class Shader {
 
     private void sendMirrored(Color reflection, int reflections, long hitKey) {
         mirrorWeight.setFiltered(weight, reflection);
-        if (reflections == maxReflections || mirrorWeight.max() < negligibleWeight) {
+        if (reflections == maxReflections) {
+            pixel.add(1, mirrorWeight, background);
+        } else if (mirrorWeight.max() < negligibleWeight) {
+            mirroredLeftOut++;
             pixel.add(1, mirrorWeight, background);
         } else {
             branches.add(walk.point(), walk.surface(), mirroredX, mirroredY, mirroredZ, mirrorWeight, reflections + 1,
@@ -298,6 +320,7 @@ public final class Shader {
      */
     private void addDirectLight(Material material, long hitKey) {
         direct.clear();
+        pointsShaded++;
         HitPoint hit = walk.point();
         int surface = walk.surface();
         double normalX = hit.normalX();

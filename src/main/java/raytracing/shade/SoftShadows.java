@@ -2,6 +2,7 @@ package raytracing.shade;
 
 import raytracing.compiled.CompiledScene;
 import raytracing.compiled.ShadowLine;
+import raytracing.compiled.ShadowShaft;
 import raytracing.geometry.HitPoint;
 import raytracing.math.Vector;
 import raytracing.scene.Light;
@@ -12,6 +13,10 @@ import raytracing.scene.Light;
  */
 abstract class SoftShadows {
     private final ShadowLine[] lines;
+    private long asked;
+    private long settled;
+    private long rays;
+    private long areas;
 
     /** Each light has its own lines: they remember what stopped them last. */
     SoftShadows(CompiledScene scene, int lightCount) {
@@ -42,7 +47,9 @@ abstract class SoftShadows {
      */
     final double arrivingShare(HitPoint hit, int surface, Light light, int number, double error, long key) {
         double s = light.shadowIntensity();
+        asked++;
         if (s == 0) {
+            settled++;
             return 1;
         }
         return (1 - s) + s * meanTransmittance(hit, surface, light, number, error, key);
@@ -54,6 +61,44 @@ abstract class SoftShadows {
     /** What comes through from the middle of a light: a hard shadow. */
     final double transmittanceFromMiddle(HitPoint hit, int surface, Light light, int number, double error) {
         Vector middle = light.position();
+        rays++;
         return lines[number].transmittance(hit, surface, middle.x(), middle.y(), middle.z(), error);
+    }
+
+    /** What comes through a light's shaft along any line, where that is known beforehand. */
+    final double settledTransmittance(ShadowShaft shaft) {
+        settled++;
+        return shaft.settledTransmittance();
+    }
+
+    /** Sums what comes through along one line to each of root x root cells of a light's square. */
+    final double sumOverCells(ShadowShaft shaft, int root, long key) {
+        rays += (long) root * root;
+        return shaft.sumOverCells(root, key);
+    }
+
+    /** One more shadow is found by areas. */
+    final void countArea() {
+        areas++;
+    }
+
+    /** How often the share of a light was asked for. */
+    final long asked() {
+        return asked;
+    }
+
+    /** How often no ray was needed for the answer. */
+    final long settled() {
+        return settled;
+    }
+
+    /** Lines along which surfaces were asked for. */
+    final long rays() {
+        return rays;
+    }
+
+    /** How often the answer was found by areas. */
+    final long areas() {
+        return areas;
     }
 }

@@ -1,7 +1,9 @@
 package raytracing.film;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,14 +55,26 @@ class FilmTest {
     }
 
     @Test
-    void aCopyHasThePictureAndPixelsOfItsOwn() {
+    void aPartHasItsRowsAndColumnsAndPixelsOfItsOwn() {
+        Film film = new Film(5, 4);
+        film.set(3, 2, 7, 0.5, 0);
+        Film part = film.part(2, 1, 3, 2);
+        film.set(3, 2, 0, 0, 0);
+        assertEquals(new Color(7, 0.5, 0), part.get(1, 1));
+        assertEquals(3, part.width());
+        assertEquals(2, part.height());
+    }
+
+    @Test
+    void aGapIsTransparentOrShowsWhatStandsInstead() {
         Film film = new Film(2, 1);
-        film.set(1, 0, 7, 0.5, 0);
-        Film copy = film.copy();
-        film.set(1, 0, 0, 0, 0);
-        assertEquals(new Color(7, 0.5, 0), copy.get(1, 0));
-        assertEquals(2, copy.width());
-        assertEquals(1, copy.height());
+        film.set(0, 0, 1, 0, 0);
+        assertFalse(film.hasGaps());
+        film.leaveGap(1, 0, new Color(0, 0, 1));
+        assertTrue(film.hasGaps());
+        assertEquals(0xffff0000, film.toImageWithGaps().getRGB(0, 0));
+        assertEquals(0x00000000, film.toImageWithGaps().getRGB(1, 0));
+        assertEquals(0xff0000ff, film.toImage().getRGB(1, 0));
     }
 
     @ParameterizedTest(name = "{0}")

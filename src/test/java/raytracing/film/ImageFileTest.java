@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.color.Color;
 
 class ImageFileTest {
     @TempDir
@@ -157,5 +159,84 @@ class ImageFileTest {
     @ValueSource(strings = {"a.tif", "png", "a.", "a", "a.png.txt", "a.pngx", ""})
     void anUnknownEndingHasNoFormat(String name) {
         assertFalse(ImageFormat.ofEnding(name).isPresent());
+    }
+
+    /** Rows of a film, some at a time; keeps a list of what was asked for. */
+    private record Cut(Film film, int bandHeight, List<Integer> asked) implements Bands {
+        @Override
+        public int width() {
+            return film.width();
+        }
+
+        @Override
+        public int height() {
+            return film.height();
+        }
+
+        @Override
+        public Film band(int index) {
+            asked.add(index);
+            int top = index * bandHeight;
+            return film.part(0, top, film.width(), Math.min(bandHeight, film.height() - top));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aPictureInBandsGivesTheSameFileAsInOnePiece(ImageFormat format) throws IOException {
+        Path whole = folder.resolve("whole");
+        Path cut = folder.resolve("cut");
+        new ImageFile(whole, format).write(film());
+        new ImageFile(cut, format).write(new Cut(film(), 3, new ArrayList<>()));
+        assertEquals(-1, Files.mismatch(whole, cut));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyBandIsAskedForOnce(ImageFormat format) throws IOException {
+        List<Integer> asked = new ArrayList<>();
+        new ImageFile(folder.resolve("picture"), format).write(new Cut(film(), 1, asked));
+        assertEquals(List.of(0, 1, 2, 3), asked.stream().sorted().toList());
+    }
+
+    @Test
+    void whatALaterBandThrowsLeavesTheOlderFileAndNothingElse() throws IOException {
+        Path path = folder.resolve("picture.png");
+        Files.writeString(path, "older");
+        List<Integer> takesOne = new ArrayList<>() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            public boolean add(Integer index) {
+                if (index > 0) {
+                    throw new IllegalStateException("as expected");
+                }
+                return super.add(index);
+            }
+        };
+        Bands broken = new Cut(film(), 2, takesOne);
+        assertThrows(IllegalStateException.class, () -> new ImageFile(path, ImageFormat.PNG).write(broken));
+        assertEquals("older", Files.readString(path));
+        assertEquals(List.of("picture.png"), filesInFolder());
+    }
+
+    @Test
+    void gapsAreTransparentInAPng() throws IOException {
+        Film film = film();
+        film.leaveGap(2, 3, Color.WHITE);
+        Path path = folder.resolve("picture.png");
+        new ImageFile(path, ImageFormat.PNG).write(film);
+        BufferedImage read = ImageIO.read(path.toFile());
+        assertEquals(0, read.getRGB(2, 3));
+        assertEquals(film.toImage().getRGB(3, 2), read.getRGB(3, 2));
+    }
+
+    @Test
+    void gapsShowWhatStandsInsteadInABmp() throws IOException {
+        Film film = film();
+        film.leaveGap(2, 3, Color.WHITE);
+        Path path = folder.resolve("picture.bmp");
+        new ImageFile(path, ImageFormat.BMP).write(film);
+        assertEquals(0xffffffff, ImageIO.read(path.toFile()).getRGB(2, 3));
     }
 }

@@ -86,9 +86,9 @@ class RendererTest {
     @Test
     void everyPixelIsInExactlyOneTile() {
         int[][] drawn = new int[47][61];
-        TileQueue tiles = new TileQueue(61, 47, 8);
-        for (Optional<Tile> next = tiles.next(); next.isPresent(); next = tiles.next()) {
-            Tile tile = next.get();
+        TileQueue tiles = new TileQueue(Region.whole(61, 47), 8);
+        for (Optional<Region> next = tiles.next(); next.isPresent(); next = tiles.next()) {
+            Region tile = next.get();
             for (int y = tile.top(); y < tile.bottom(); y++) {
                 for (int x = tile.left(); x < tile.right(); x++) {
                     drawn[y][x]++;
@@ -100,7 +100,7 @@ class RendererTest {
 
     @Test
     void aClosedQueueHasNoMoreTiles() {
-        TileQueue tiles = new TileQueue(100, 100, 10);
+        TileQueue tiles = new TileQueue(Region.whole(100, 100), 10);
         assertTrue(tiles.next().isPresent());
         tiles.close();
         assertEquals(Optional.empty(), tiles.next());

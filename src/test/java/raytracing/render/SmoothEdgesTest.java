@@ -174,7 +174,7 @@ class SmoothEdgesTest {
     private static FirstPass seen(Scene scene, int size) {
         Renderer renderer = new Renderer(scene, RenderSettings.DEFAULT.withSize(size, size));
         Shader shader = renderer.shader();
-        FirstPass seen = new FirstPass(new Tile(0, 0, size, size));
+        FirstPass seen = new FirstPass(Region.whole(size, size));
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++) {
                 seen.look(renderer, shader, x, y);

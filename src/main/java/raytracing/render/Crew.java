@@ -1,0 +1,65 @@
+package raytracing.render;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Threads that work on tiles while another one waits for them. */
+final class Crew {
+    /** How often whoever waits asks whether the work was cancelled, which ends the wait when the workers do not. */
+    private static final long POLL_MILLISECONDS = 20;
+
+    /** For how long a pixel at hand is awaited after that. */
+    private static final long PATIENCE_NANOSECONDS = 100_000_000;
+
+    private Crew() {
+    }
+
+    /**
+     * Lets workers work, each on a thread of its own; returns when all are done, or soon after the work was cancelled: what
+     * a slow worker still does then is lost.
+     *
+     * @return those that came to an end
+     */
+    static <W extends TileWorker> List<W> run(List<W> workers, Cancellation cancellation) {
+        List<Thread> threads = new ArrayList<>();
+        for (TileWorker worker : workers) {
+            Thread thread = new Thread(worker, "tiles");
+            thread.setDaemon(true);
+            thread.start();
+            threads.add(thread);
+        }
+        boolean interrupted = waitForAll(threads, cancellation);
+        List<W> ended = new ArrayList<>();
+        for (int i = 0; i < threads.size(); i++) {
+            if (!threads.get(i).isAlive()) {
+                ended.add(workers.get(i));
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        for (W worker : ended) {
+            worker.failure.rethrow();
+        }
+        return ended;
+    }
+
+    /** Whether the wait was interrupted: the film is nobody's before all are done, so that is passed on after it. */
+    private static boolean waitForAll(List<Thread> threads, Cancellation cancellation) {
+        boolean interrupted = false;
+        long deadline = Long.MAX_VALUE;
+        for (Thread thread : threads) {
+            while (thread.isAlive() && System.nanoTime() < deadline) {
+                try {
+                    thread.join(POLL_MILLISECONDS);
+                } catch (InterruptedException request) {
+                    interrupted = true;
+                }
+                if (deadline == Long.MAX_VALUE && cancellation.isRequested()) {
+                    deadline = System.nanoTime() + PATIENCE_NANOSECONDS;
+                }
+            }
+        }
+        return interrupted;
+    }
+}
