@@ -4,9 +4,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import raytracing.color.Color;
 import raytracing.command.Command;
 import raytracing.command.CommandLine;
 import raytracing.film.Film;
@@ -15,9 +13,10 @@ import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
-import raytracing.render.Rendering;
 import raytracing.scene.Scene;
-import raytracing.shade.AmbientLight;
+import raytracing.watch.Messages;
+import raytracing.watch.Session;
+import raytracing.watch.StandardOutput;
 
 /** The program: {@code java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]}. */
 public final class RayTracer {
@@ -25,12 +24,15 @@ public final class RayTracer {
     private static final int MACHINE_FAILED = 1;
     private static final int USER_IS_WRONG = 2;
 
+    /** As after SIGINT, also where the window's Escape key stopped the drawing. */
+    private static final int STOPPED = 130;
+
     private RayTracer() {
     }
 
     /**
      * Runs the program and ends the virtual machine: with 0 if all is done, 1 if the machine failed, 2 if the scene or
-     * the command is wrong.
+     * the command is wrong, 130 if the user stopped the drawing.
      *
      * @param arguments the command line
      */
@@ -43,49 +45,26 @@ public final class RayTracer {
         try {
             Command command = CommandLine.parse(arguments);
             if (command instanceof Command.Draw draw) {
-                draw(draw);
-            } else {
-                System.out.print(command instanceof Command.Help ? CommandLine.HELP : version());
+                return Session.draw(draw) == Session.Outcome.FINISHED ? DONE : STOPPED;
             }
+            StandardOutput.print(command instanceof Command.Help ? CommandLine.HELP : version());
             return DONE;
         } catch (RayTracerException wrong) {
             return failed(USER_IS_WRONG, wrong.messages());
         } catch (IOException failure) {
             return failed(MACHINE_FAILED, List.of(reason(failure)));
         } catch (OutOfMemoryError tooLarge) {
-            return failed(MACHINE_FAILED, List.of("not enough memory for this scene and picture size; "
-                + "java -Xmx4g -jar RayTracer.jar ... allows 4 GB"));
+            return failed(MACHINE_FAILED, List.of(shortage(tooLarge)));
         } catch (RuntimeException | StackOverflowError defect) {
             return failed(MACHINE_FAILED, List.of("this is a defect of the program, please report it: " + defect));
         }
     }
 
-    private static void draw(Command.Draw command) throws RayTracerException, IOException {
-        long start = System.nanoTime();
-        ImageFile file = new ImageFile(command.output(), command.format());
-        Optional<String> obstacle = file.obstacle();
-        if (obstacle.isPresent()) {
-            throw new RayTracerException(command.output() + ": " + obstacle.get());
-        }
-        file.prepare();
-        Scene scene = parseScene(command.scene());
-        Renderer renderer = new Renderer(scene, command.settings());
-        Rendering rendering = renderer.draw();
-        saveImage(rendering.film(), file);
-        long milliseconds = (System.nanoTime() - start) / 1_000_000;
-        System.err.println(command.output() + ": " + rendering.film().width() + " x " + rendering.film().height()
-            + " pixels in " + milliseconds + " ms" + refinement(rendering, command.settings().sampling().root()) + ambience(renderer.ambientLight()));
-    }
-
-    private static String ambience(AmbientLight light) {
-        Color mean = light.mean();
-        return light.isNone() ? "" : String.format(Locale.ROOT, ", in ambient light of %.3f %.3f %.3f",
-            mean.red(), mean.green(), mean.blue());
-    }
-
-    private static String refinement(Rendering rendering, int root) {
-        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays",
-            100 * rendering.refinedShare(), root, root);
+    /** Virtual machines also call it memory if the system gives them no more threads. */
+    private static String shortage(OutOfMemoryError error) {
+        return String.valueOf(error.getMessage()).contains("thread")
+            ? "the system allows no more threads; --threads 1 needs the fewest"
+            : "not enough memory for this scene and picture size; java -Xmx4g -jar RayTracer.jar ... allows 4 GB";
     }
 
     /**
@@ -129,19 +108,10 @@ public final class RayTracer {
         return status;
     }
 
-    /** A file and what is wrong with it; the library's own message of a file failure is often the bare name. */
+    /** A file, where one is known, and what is wrong with it. */
     private static String reason(IOException failure) {
-        if (failure instanceof FileSystemException file && file.getFile() != null) {
-            String why = file.getReason() == null ? kind(failure) : file.getReason();
-            return file.getFile() + ": " + why;
-        }
-        return failure.getMessage() == null ? kind(failure) : failure.getMessage();
-    }
-
-    /** {@code AccessDeniedException} becomes "access denied". */
-    private static String kind(IOException failure) {
-        String name = failure.getClass().getSimpleName().replace("Exception", "");
-        return name.replaceAll("(?<=.)(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+        return failure instanceof FileSystemException file && file.getFile() != null
+            ? file.getFile() + ": " + Messages.reason(failure) : Messages.reason(failure);
     }
 
     private static String version() {

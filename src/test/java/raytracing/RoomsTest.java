@@ -24,7 +24,7 @@ class RoomsTest {
     }
 
     private static final List<String> ROOMS = List.of("math", "area", "color", "geometry", "scene", "parse", "compiled",
-        "shade", "film", "render", "command");
+        "shade", "film", "render", "command", "watch");
 
     @ArchTest
     static final ArchRule everyClassLivesInARoomOrAtTheFrontDoor = classes().should().resideInAnyPackage(
@@ -58,16 +58,24 @@ class RoomsTest {
 
     @ArchTest
     static final ArchRule onlyTheFilmWritesPictures = noClasses().that().resideOutsideOfPackage("raytracing.film")
-        .should().dependOnClassesThat().resideInAnyPackage("javax.imageio..", "java.awt..");
+        .should().dependOnClassesThat().resideInAnyPackage("javax.imageio..");
+
+    @ArchTest
+    static final ArchRule onlyTheFilmAndTheWatchKnowImages = noClasses()
+        .that().resideOutsideOfPackages("raytracing.film", "raytracing.watch")
+        .should().dependOnClassesThat().resideInAnyPackage("java.awt..", "javax.swing..");
 
     @ArchTest
     static final ArchRule onlyRenderSharesWork = noClasses().that().resideOutsideOfPackage("raytracing.render")
         .should().dependOnClassesThat().resideInAnyPackage("java.util.concurrent..");
 
-    /** The film's thread only loads the encoder's classes while something else is done. */
+    /**
+     * The film's thread only loads the encoder's classes while something else is done; those of the watch tell of the
+     * work and end it, and do none.
+     */
     @ArchTest
-    static final ArchRule onlyRenderAndFilmStartThreads = noClasses()
-        .that().resideOutsideOfPackages("raytracing.render", "raytracing.film")
+    static final ArchRule onlyRenderFilmAndWatchStartThreads = noClasses()
+        .that().resideOutsideOfPackages("raytracing.render", "raytracing.film", "raytracing.watch")
         .should().dependOnClassesThat().haveFullyQualifiedName("java.lang.Thread");
 
     /** Math.sin, pow and the like may differ between machines; sqrt, fma, abs and the exact ones may not. */

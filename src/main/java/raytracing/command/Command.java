@@ -1,6 +1,7 @@
 package raytracing.command;
 
 import java.nio.file.Path;
+import java.util.Set;
 import raytracing.film.ImageFormat;
 import raytracing.render.RenderSettings;
 
@@ -21,7 +22,18 @@ public sealed interface Command {
      * @param output the picture file
      * @param format what to write into it
      * @param settings how to draw
+     * @param extras what is wanted beside the picture
      */
-    record Draw(Path scene, Path output, ImageFormat format, RenderSettings settings) implements Command {
+    record Draw(Path scene, Path output, ImageFormat format, RenderSettings settings, Set<Extra> extras)
+            implements Command {
+        /**
+         * Whether something is wanted.
+         *
+         * @param extra beside the picture
+         * @return true if it is
+         */
+        public boolean wants(Extra extra) {
+            return extras.contains(extra);
+        }
     }
 }

@@ -3,14 +3,18 @@ package raytracing.command;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import raytracing.compiled.ShadowMode;
-import raytracing.film.Film;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
 import raytracing.render.PixelSampling;
+import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.shade.ShadowMethod;
 
@@ -23,32 +27,31 @@ public final class CommandLine {
     /** What {@code --help} prints. */
     public static final String HELP = """
         usage: java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]
-
-        Draws the scene file SCENE into the picture file OUTPUT, 500 x 500 pixels unless
-        WIDTH and HEIGHT say otherwise. The ending of OUTPUT chooses the format:
-        png, jpg, bmp or gif.
-
-        options (they may stand anywhere; "--threads 4" and "--threads=4" are the same)
-          --threads N        use N threads instead of one for each processor
-          --seed N           use other random numbers; default 1
-          --shadows exact    soft shadows without noise; default "sampled"
-          --shadow-rays N    N x N shadow rays, whatever the scene says
-          --samples N        smooth edges: N x N rays in pixels on an edge; default 1
-          --opaque-shadows   transparent surfaces cast full shadows instead of letting
-                             light through
-          --help             print this text
-          --version          print the version
-          --                 take all further words as file names and sizes
-
-        examples
+        Draws a scene file into a picture (.png .jpg .bmp .gif); 500 x 500 by default.
+        The picture
+          --samples N        smooth edges by N x N rays; default 1; 3 for the final one
+          --shadows exact    soft shadows without noise; default sampled, as in class
+          --shadow-rays N    N x N rays to each light; default the scene's; 1 is quick
+          --opaque-shadows   glass stops all light, as in class; by default it tints it
+          --seed N           other random numbers, to tell noise from detail; default 1
+          --region X,Y,W,H   only these pixels; default all; for a detail, or job arrays
+        While it is drawn
+          --preview          shows it in a window; wheel zooms, Esc stops; default none
+          --keep-partial     if stopped, save what is finished; default the older file
+          --threads N        default one for each processor; fewer leave room for others
+          --stats[=json]     what it took, at the end; json on standard output for tools
+          --quiet            only errors, for scripts; by default progress and a summary
+        Other words
+          --help  --version  this text, or the version; nothing is drawn
+          --                 all words after it are names and sizes, even -scene.txt
+        Examples: a first look, then the final picture
           java -jar RayTracer.jar scenes/boxes.txt boxes.png
-          java -jar RayTracer.jar scenes/boxes.txt wide.jpg 1920 1080 --threads 2
-
-        exit status: 0 done, 1 the machine failed (file, memory), 2 the scene or the
-        command is wrong, 130 interrupted
+          java -jar RayTracer.jar scenes/boxes.txt big.png 1920 1080 --samples 3
+        Exit status: 0 done, 1 the machine failed, 2 scene or command wrong, 130 stopped
         """;
 
     private static final String USAGE = "expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
+    private static final String FOUR_NUMBERS = "(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
 
@@ -56,8 +59,10 @@ public final class CommandLine {
     private static final int LARGEST_SHADOW_RAY_ROOT = 1024;
 
     private final List<String> operands = new ArrayList<>();
+    private final Set<Extra> extras = EnumSet.noneOf(Extra.class);
     private RenderSettings settings = RenderSettings.DEFAULT;
     private OptionalInt shadowRayRoot = OptionalInt.empty();
+    private Optional<String> region = Optional.empty();
     private boolean exactShadows;
     private boolean help;
     private boolean version;
@@ -93,18 +98,18 @@ public final class CommandLine {
                 continue;
             }
             int equals = word.indexOf('=');
-            String name = equals < 0 ? word : word.substring(0, equals);
-            if (!takesValue(name)) {
-                if (equals >= 0) {
-                    throw new RayTracerException(name + ": takes no value, got " + word.substring(equals + 1));
+            Option option = option(equals < 0 ? word : word.substring(0, equals));
+            if (equals >= 0) {
+                if (option.value() == Option.Value.NONE) {
+                    throw new RayTracerException(option.word() + ": takes no value, got " + word.substring(equals + 1));
                 }
-                setFlag(name);
-            } else if (equals >= 0) {
-                setValue(name, word.substring(equals + 1));
+                setValue(option, word.substring(equals + 1));
+            } else if (option.value() != Option.Value.REQUIRED) {
+                setFlag(option);
             } else if (++i < words.size()) {
-                setValue(name, words.get(i));
+                setValue(option, words.get(i));
             } else {
-                throw new RayTracerException(name + ": needs a value, see --help");
+                throw new RayTracerException(option.word() + ": needs a value, see --help");
             }
         }
     }
@@ -114,34 +119,47 @@ public final class CommandLine {
         return word.length() > 1 && word.charAt(0) == '-' && !Character.isDigit(word.charAt(1));
     }
 
-    private static boolean takesValue(String name) throws RayTracerException {
-        return switch (name) {
-            case "--threads", "--seed", "--shadows", "--shadow-rays", "--samples" -> true;
-            case "--opaque-shadows", "--help", "--version" -> false;
-            default -> throw new RayTracerException(name + ": unknown option, expected --threads, --seed, --shadows, "
-                + "--shadow-rays, --samples, --opaque-shadows, --help or --version");
-        };
+    private static Option option(String word) throws RayTracerException {
+        Optional<Option> option = Option.named(word);
+        if (option.isPresent()) {
+            return option.get();
+        }
+        Optional<Option> nearest = Option.nearest(word);
+        throw new RayTracerException(word + ": unknown option"
+            + (nearest.isPresent() ? ", did you mean " + nearest.get().word() + "? See --help" : ", see --help"));
     }
 
-    private void setFlag(String name) {
-        switch (name) {
-            case "--opaque-shadows" -> settings = settings.withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT);
-            case "--help" -> help = true;
+    private void setFlag(Option option) {
+        switch (option) {
+            case OPAQUE_SHADOWS -> settings = settings.withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT);
+            case PREVIEW -> extras.add(Extra.PREVIEW);
+            case KEEP_PARTIAL -> extras.add(Extra.KEEP_PARTIAL);
+            case STATS -> extras.add(Extra.STATISTICS);
+            case QUIET -> extras.add(Extra.QUIET);
+            case HELP -> help = true;
             default -> version = true;
         }
     }
 
-    private void setValue(String name, String value) throws RayTracerException {
-        switch (name) {
-            case "--threads" ->
-                settings = settings.withWorkers(wholeNumber(name, value, MOST_THREADS), settings.tileSize());
-            case "--shadows" -> exactShadows = isExact(value);
-            case "--shadow-rays" ->
-                shadowRayRoot = OptionalInt.of(wholeNumber(name, value, LARGEST_SHADOW_RAY_ROOT));
-            case "--samples" -> settings = settings.withSampling(
+    private void setValue(Option option, String value) throws RayTracerException {
+        String name = option.word();
+        switch (option) {
+            case THREADS -> settings = settings.withWorkers(wholeNumber(name, value, MOST_THREADS), settings.tileSize());
+            case REGION -> region = Optional.of(value);
+            case SHADOWS -> exactShadows = isExact(value);
+            case SHADOW_RAYS -> shadowRayRoot = OptionalInt.of(wholeNumber(name, value, LARGEST_SHADOW_RAY_ROOT));
+            case SAMPLES -> settings = settings.withSampling(
                 new PixelSampling(wholeNumber(name, value, MOST_SAMPLES), PixelSampling.Where.EDGES));
+            case STATS -> setStatistics(value);
             default -> settings = settings.withSeed(seed(value));
         }
+    }
+
+    private void setStatistics(String form) throws RayTracerException {
+        if (!form.equals("json")) {
+            throw new RayTracerException("--stats: must be json or nothing, got " + form);
+        }
+        extras.add(Extra.STATISTICS_AS_JSON);
     }
 
     private static boolean isExact(String method) throws RayTracerException {
@@ -193,11 +211,9 @@ public final class CommandLine {
             throw new RayTracerException(output
                 + ": unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif");
         }
-        if (operands.size() == 4) {
-            settings = sized(format.get());
-        }
+        settings = sized(format.get());
         return new Command.Draw(path(operands.get(0)), path(output), format.get(),
-            settings.withShadowMethod(shadowMethod()));
+            settings.withShadowMethod(shadowMethod()), extras);
     }
 
     private static String count(int operands) {
@@ -209,14 +225,43 @@ public final class CommandLine {
         };
     }
 
+    /** The size of the picture, of which a file may hold a part. */
     private RenderSettings sized(ImageFormat format) throws RayTracerException {
-        int width = wholeNumber("width", operands.get(2), format.longestSide());
-        int height = wholeNumber("height", operands.get(3), format.longestSide());
-        if ((long) width * height > Film.MOST_PIXELS) {
-            throw new RayTracerException("size: must be at most " + Film.MOST_PIXELS + " pixels, got "
-                + width + " x " + height);
+        RenderSettings sized = settings;
+        if (operands.size() == 4) {
+            int longest = region.isPresent() ? Integer.MAX_VALUE : format.longestSide();
+            sized = settings.withSize(wholeNumber("width", operands.get(2), longest),
+                wholeNumber("height", operands.get(3), longest));
         }
-        return settings.withSize(width, height);
+        if (region.isPresent()) {
+            sized = sized.withRegion(region(region.get(), sized, format));
+        }
+        if (sized.region().pixelCount() > format.mostPixels()) {
+            throw new RayTracerException("size: must be at most " + format.mostPixels() + " pixels, got "
+                + sized.region().width() + " x " + sized.region().height());
+        }
+        return sized;
+    }
+
+    private static Region region(String value, RenderSettings picture, ImageFormat format) throws RayTracerException {
+        Matcher matcher = Pattern.compile(FOUR_NUMBERS).matcher(value);
+        if (!matcher.matches()) {
+            throw new RayTracerException("--region: must be X,Y,W,H: left column, top row, width and height, "
+                + "whole numbers with commas, got " + value);
+        }
+        long x = Long.parseLong(matcher.group(1));
+        long y = Long.parseLong(matcher.group(2));
+        long width = Long.parseLong(matcher.group(3));
+        long height = Long.parseLong(matcher.group(4));
+        if (width < 1 || height < 1 || x + width > picture.width() || y + height > picture.height()) {
+            throw new RayTracerException("--region: must be a part of the picture of " + picture.width() + " x "
+                + picture.height() + " pixels, got " + value);
+        }
+        if (Math.max(width, height) > format.longestSide()) {
+            throw new RayTracerException("--region: width and height must be at most " + format.longestSide()
+                + " in a file of this format, got " + value);
+        }
+        return new Region((int) x, (int) y, (int) (x + width), (int) (y + height));
     }
 
     private static Path path(String name) throws RayTracerException {

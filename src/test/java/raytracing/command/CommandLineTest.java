@@ -5,6 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -13,6 +17,7 @@ import raytracing.compiled.ShadowMode;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
 import raytracing.render.PixelSampling;
+import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.shade.ShadowMethod;
 
@@ -89,11 +94,12 @@ class CommandLineTest {
         "s.txt o                   | o: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
         "s.txt o.gif 65536 2       | width: must be a whole number from 1 to 65535, got 65536",
         "s.txt o.jpg 2 65501       | height: must be a whole number from 1 to 65500, got 65501",
-        "s.txt o.png 0 20          | width: must be a whole number from 1 to 2147483647, got 0",
-        "s.txt o.png 30 -20        | height: must be a whole number from 1 to 2147483647, got -20",
-        "s.txt o.png 30 2x         | height: must be a whole number from 1 to 2147483647, got 2x",
-        "s.txt o.png 30 2.0        | height: must be a whole number from 1 to 2147483647, got 2.0",
-        "s.txt o.png 99999 99999   | size: must be at most 715827879 pixels, got 99999 x 99999",
+        "s.txt o.png 0 20          | width: must be a whole number from 1 to 715827879, got 0",
+        "s.txt o.png 30 -20        | height: must be a whole number from 1 to 715827879, got -20",
+        "s.txt o.png 30 2x         | height: must be a whole number from 1 to 715827879, got 2x",
+        "s.txt o.png 30 2.0        | height: must be a whole number from 1 to 715827879, got 2.0",
+        "s.txt o.bmp 99999 99999   | size: must be at most 500000000 pixels, got 99999 x 99999",
+        "s.txt o.gif 65535 65535   | size: must be at most 2147483639 pixels, got 65535 x 65535",
         "s.txt o.png --threads 0   | --threads: must be a whole number from 1 to 1024, got 0",
         "s.txt o.png --threads=1025 | --threads: must be a whole number from 1 to 1024, got 1025",
         "s.txt o.png --threads     | --threads: needs a value, see --help",
@@ -109,8 +115,22 @@ class CommandLineTest {
         "s.txt o.png --samples 2x2 | --samples: must be a whole number from 1 to 32, got 2x2",
         "s.txt o.png --samples     | --samples: needs a value, see --help",
         "s.txt o.png --help=yes    | --help: takes no value, got yes",
-        "s.txt o.png --sead 1      | --sead: unknown option, expected --threads, --seed, --shadows, --shadow-rays, --samples, --opaque-shadows, --help or --version",
-        "-h                        | -h: unknown option, expected --threads, --seed, --shadows, --shadow-rays, --samples, --opaque-shadows, --help or --version",
+        "s.txt o.png --sead 1      | --sead: unknown option, did you mean --seed? See --help",
+        "s.txt o.png --shadow 1    | --shadow: unknown option, did you mean --shadows? See --help",
+        "s.txt o.png --treads=4    | --treads: unknown option, did you mean --threads? See --help",
+        "s.txt o.png --partial     | --partial: unknown option, see --help",
+        "s.txt o.png --gamma 2.2   | --gamma: unknown option, see --help",
+        "s.txt o.png -preview      | -preview: unknown option, did you mean --preview? See --help",
+        "s.txt o.png --region 0,0,10 | --region: must be X,Y,W,H: left column, top row, width and height, whole numbers with commas, got 0,0,10",
+        "s.txt o.png --region -1,0,10,10 | --region: must be X,Y,W,H: left column, top row, width and height, whole numbers with commas, got -1,0,10,10",
+        "s.txt o.png --region 0,0,10,0 | --region: must be a part of the picture of 500 x 500 pixels, got 0,0,10,0",
+        "s.txt o.png 30 20 --region 20,0,11,20 | --region: must be a part of the picture of 30 x 20 pixels, got 20,0,11,20",
+        "s.txt o.png 30 20 --region 0,1,30,20 | --region: must be a part of the picture of 30 x 20 pixels, got 0,1,30,20",
+        "s.txt o.png --region 0,0,9999999999,1 | --region: must be a part of the picture of 500 x 500 pixels, got 0,0,9999999999,1",
+        "s.txt o.jpg 99999 9 --region 0,0,65501,1 | --region: width and height must be at most 65500 in a file of this format, got 0,0,65501,1",
+        "s.txt o.png --stats=xml   | --stats: must be json or nothing, got xml",
+        "s.txt o.png --quiet=1     | --quiet: takes no value, got 1",
+        "-h                        | -h: unknown option, did you mean --help? See --help",
     })
     void whatIsWrongIsSaidInOneLine(String line, String expected) {
         RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
@@ -128,10 +148,35 @@ class CommandLineTest {
     void theHelpFitsAScreenAndNamesEveryOption() {
         assertTrue(CommandLine.HELP.lines().count() <= 24);
         assertTrue(CommandLine.HELP.lines().allMatch(line -> line.length() <= 80));
-        for (String option : new String[] {"--threads", "--seed", "--shadows exact", "--shadow-rays",
-            "--samples", "--opaque-shadows", "--help",
-            "--version", "--"}) {
-            assertTrue(CommandLine.HELP.contains("  " + option + " "), option);
+        for (Option option : Option.values()) {
+            assertTrue(Pattern.compile("  " + option.word() + "[ \\[]").matcher(CommandLine.HELP).find(), option.word());
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--seed, SEED", "--seeds, SEED", "--opaque-shadow, OPAQUE_SHADOWS", "--shadowrays, SHADOW_RAYS",
+        "--regoin, REGION", "--prev, PREVIEW", "-q, QUIET", "--stat, STATS", "--kep-partail, KEEP_PARTIAL"})
+    void theNearestOptionIsTheOneMeant(String word, Option meant) {
+        assertEquals(Optional.of(meant), Option.nearest(word));
+    }
+
+    @Test
+    void aRegionIsCutOutOfThePictureWhoseSizeMayComeAfterIt() throws RayTracerException {
+        RenderSettings settings = draw("s.txt --region 10,20,70,60 o.png 80 80").settings();
+        assertEquals(80, settings.width());
+        assertEquals(80, settings.height());
+        assertEquals(new Region(10, 20, 80, 80), settings.region());
+    }
+
+    @Test
+    void aPictureMayBeLargerThanItsFormatIfARegionOfItIsNot() throws RayTracerException {
+        assertEquals(100_000, draw("s.txt o.jpg 100000 100000 --region 99990,0,10,10").settings().width());
+    }
+
+    @Test
+    void nothingIsWantedBesideThePictureUnlessTheUserSaysSo() throws RayTracerException {
+        assertEquals(Set.of(), draw("s.txt o.png").extras());
+        assertEquals(EnumSet.allOf(Extra.class),
+            draw("s.txt o.png --quiet --preview --stats --stats=json --keep-partial").extras());
     }
 }

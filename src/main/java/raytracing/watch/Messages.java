@@ -1,0 +1,124 @@
+package raytracing.watch;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.util.Locale;
+import raytracing.color.Color;
+import raytracing.render.Drawing;
+import raytracing.render.Region;
+import raytracing.render.RenderSettings;
+import raytracing.shade.AmbientLight;
+
+/** What is said on standard error about a picture: one sentence when it begins, one when it ends. */
+public final class Messages {
+    private static final long MILLION = 1_000_000;
+
+    /** From here on, seconds are easier to read. */
+    private static final long MOST_MILLISECONDS = 9_999;
+
+    private final String output;
+    private final RenderSettings settings;
+
+    /**
+     * Messages about a picture.
+     *
+     * @param output name of the file
+     * @param settings how it is drawn
+     */
+    public Messages(String output, RenderSettings settings) {
+        this.output = output;
+        this.settings = settings;
+    }
+
+    /**
+     * The picture begins.
+     *
+     * @param scene name of the scene file
+     * @return a sentence
+     */
+    public String begun(String scene) {
+        return output + ": drawing " + pixels() + " of " + scene + " with " + settings.threads()
+            + (settings.threads() == 1 ? " thread" : " threads");
+    }
+
+    /**
+     * The file is there.
+     *
+     * @param drawing of the picture
+     * @param ambientLight in which it was drawn
+     * @param nanoseconds since the program began
+     * @return a sentence
+     */
+    public String finished(Drawing drawing, AmbientLight ambientLight, long nanoseconds) {
+        return output + ": " + pixels() + " in " + time(nanoseconds) + refinement(drawing) + ambience(ambientLight);
+    }
+
+    private String pixels() {
+        Region region = settings.region();
+        String size = region.width() + " x " + region.height() + " pixels";
+        return region.equals(Region.whole(settings.width(), settings.height())) ? size
+            : size + " at " + region.left() + ", " + region.top() + " of " + settings.width() + " x " + settings.height();
+    }
+
+    private static String time(long nanoseconds) {
+        long milliseconds = nanoseconds / MILLION;
+        return milliseconds <= MOST_MILLISECONDS ? milliseconds + " ms" : milliseconds / 1000 + " s";
+    }
+
+    private String refinement(Drawing drawing) {
+        int root = settings.sampling().root();
+        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays",
+            100.0 * drawing.refinedPixels() / settings.region().pixelCount(), root, root);
+    }
+
+    private static String ambience(AmbientLight light) {
+        Color mean = light.mean();
+        return light.isNone() ? "" : String.format(Locale.ROOT, ", in ambient light of %.3f %.3f %.3f",
+            mean.red(), mean.green(), mean.blue());
+    }
+
+    /**
+     * The file could not be written.
+     *
+     * @param failure why
+     * @return a sentence that says what the file has now
+     */
+    public String failed(IOException failure) {
+        return output + ": could not be written: " + reason(failure) + "; the file is as it was";
+    }
+
+    /**
+     * Why a file could not be read or written.
+     *
+     * @param failure whose own message is often the file's name alone
+     * @return what is wrong, without the file's name
+     */
+    public static String reason(IOException failure) {
+        if (failure instanceof FileSystemException file && file.getFile() != null) {
+            return file.getReason() == null ? kind(failure) : file.getReason();
+        }
+        return failure.getMessage() == null ? kind(failure) : failure.getMessage();
+    }
+
+    /** {@code AccessDeniedException} becomes "access denied". */
+    private static String kind(IOException failure) {
+        String name = failure.getClass().getSimpleName().replace("Exception", "");
+        return name.replaceAll("(?<=.)(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * The picture was cancelled.
+     *
+     * @param drawing of the picture
+     * @return a sentence that says what the file has now
+     */
+    public String stopped(Drawing drawing) {
+        String share = output + ": stopped at " + (int) (100 * drawing.share()) + " %, ";
+        if (drawing.isPartial()) {
+            return share + "what was finished is in the file; the rest is "
+                + (drawing.count() == 1 && output.toLowerCase(Locale.ROOT).endsWith(".png") ? "transparent"
+                    : "in the colour of the background");
+        }
+        return share + "the file is as it was";
+    }
+}

@@ -1,0 +1,137 @@
+package raytracing.watch;
+
+import java.io.IOException;
+import java.util.Optional;
+import raytracing.command.Command;
+import raytracing.command.Extra;
+import raytracing.film.ImageFile;
+import raytracing.parse.RayTracerException;
+import raytracing.parse.SceneParser;
+import raytracing.render.Cancellation;
+import raytracing.render.CancelledException;
+import raytracing.render.Drawing;
+import raytracing.render.DrawingListener;
+import raytracing.render.Renderer;
+import raytracing.scene.Scene;
+
+/** One picture, from the scene's file to its own, with all that is said and shown on the way. */
+public final class Session {
+    private final Command.Draw command;
+    private final Messages messages;
+    private final ImageFile file;
+    private final Cancellation cancellation = new Cancellation();
+    private final long start = System.nanoTime();
+    private long parsingNanoseconds;
+
+    private Session(Command.Draw command) {
+        this.command = command;
+        messages = new Messages(command.output().toString(), command.settings());
+        file = new ImageFile(command.output(), command.format());
+    }
+
+    /**
+     * Draws what the user asked for.
+     *
+     * @param command the wish
+     * @return whether there is a whole picture; if not, it was cancelled
+     * @throws RayTracerException if the scene or the file's name is wrong
+     * @throws IOException if a file cannot be read or written; then whatever stood there before still does
+     */
+    public static Outcome draw(Command.Draw command) throws RayTracerException, IOException {
+        return new Session(command).draw();
+    }
+
+    /** How it ended. */
+    public enum Outcome {
+        /** With a whole picture. */
+        FINISHED,
+
+        /** By the user's wish. */
+        STOPPED
+    }
+
+    private Outcome draw() throws RayTracerException, IOException {
+        Optional<String> obstacle = file.obstacle();
+        if (obstacle.isPresent()) {
+            throw new RayTracerException(command.output() + ": " + obstacle.get());
+        }
+        file.prepare();
+        Scene scene = SceneParser.parseFile(command.scene());
+        parsingNanoseconds = System.nanoTime() - start;
+        Optional<Preview> preview = command.wants(Extra.PREVIEW)
+            ? Preview.open(command.output().toString(), command.settings().region(), cancellation) : Optional.empty();
+        Interruption interruption = Interruption.install(cancellation);
+        Outcome outcome;
+        try {
+            outcome = draw(scene, preview);
+        } finally {
+            interruption.end();
+        }
+        if (outcome == Outcome.FINISHED && preview.isPresent()) {
+            preview.get().awaitClosed();
+        }
+        return outcome;
+    }
+
+    private Outcome draw(Scene scene, Optional<Preview> preview) throws IOException {
+        Renderer renderer = new Renderer(scene, command.settings());
+        Drawing drawing = renderer.drawing(cancellation, command.wants(Extra.KEEP_PARTIAL)
+            ? Cancellation.Leftovers.KEEP : Cancellation.Leftovers.DISCARD,
+            preview.isPresent() ? preview.get() : DrawingListener.NONE);
+        if (preview.isPresent()) {
+            preview.get().follow(drawing, start);
+        }
+        long writing = System.nanoTime();
+        boolean isWritten = isWritten(drawing);
+        long end = System.nanoTime();
+        Outcome outcome = isWritten && !drawing.isPartial() ? Outcome.FINISHED : Outcome.STOPPED;
+        String summary = outcome == Outcome.FINISHED
+            ? messages.finished(drawing, renderer.ambientLight(), end - start) : messages.stopped(drawing);
+        say(summary);
+        if (preview.isPresent()) {
+            preview.get().end(summary);
+        }
+        if (isWritten && (command.wants(Extra.STATISTICS) || command.wants(Extra.STATISTICS_AS_JSON))) {
+            report(Statistics.of(command.scene().toString(), scene, command.settings(), renderer, drawing,
+                new Statistics.Times(parsingNanoseconds, end - writing, end - start)));
+        }
+        return outcome;
+    }
+
+    /** Draws, under a line of progress where somebody reads it; false if there is no picture because nobody wants it. */
+    private boolean isWritten(Drawing drawing) throws IOException {
+        boolean isQuiet = command.wants(Extra.QUIET);
+        Optional<ProgressLine> line = !isQuiet && ProgressLine.isWanted()
+            ? Optional.of(ProgressLine.begin(command.output().toString(), drawing, start)) : Optional.empty();
+        if (line.isEmpty()) {
+            say(messages.begun(command.scene().toString()));
+        }
+        try {
+            file.write(drawing);
+            return true;
+        } catch (CancelledException asWished) {
+            return false;
+        } catch (IOException failure) {
+            throw new IOException(messages.failed(failure), failure);
+        } finally {
+            if (line.isPresent()) {
+                line.get().end();
+            }
+        }
+    }
+
+    private void say(String sentence) {
+        if (!command.wants(Extra.QUIET)) {
+            System.err.println(sentence);
+        }
+    }
+
+    private void report(Statistics statistics) throws IOException {
+        if (command.wants(Extra.STATISTICS)) {
+            System.err.print(statistics.text());
+        }
+        if (command.wants(Extra.STATISTICS_AS_JSON)) {
+            StandardOutput.print(statistics.json());
+        }
+    }
+}
