@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit;
  * @param errors what it wrote to standard error
  */
 record Program(int status, String output, String errors) {
-    private static final Path JAR = Path.of(System.getProperty("raytracing.jar", "build/libs/RayTracer.jar"));
+    static final Path JAR = Path.of(System.getProperty("raytracing.jar", "build/libs/RayTracer.jar"));
     private static final long MINUTES = 2;
 
     static Program run(Path folder, String... arguments) throws IOException, InterruptedException {
@@ -41,7 +41,13 @@ record Program(int status, String output, String errors) {
 
     static Process start(Path javaHome, List<String> javaOptions, Path folder, Path output, Path errors,
                          String... arguments) throws IOException {
-        List<String> command = new ArrayList<>();
+        return start(List.of(), javaHome, javaOptions, folder, output, errors, arguments);
+    }
+
+    /** Starts it through another command, which takes it as its last words. */
+    static Process start(List<String> through, Path javaHome, List<String> javaOptions, Path folder, Path output,
+                         Path errors, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(through);
         command.add(javaHome.resolve("bin/java").toString());
         command.addAll(javaOptions);
         command.addAll(List.of("-jar", JAR.toAbsolutePath().toString()));

@@ -155,20 +155,4 @@ class ProgramTest {
             Files.delete(folder.resolve("out.png"));
         }
     }
-
-    @Test
-    void aTerminatedRunLeavesTheOlderFileAndNothingElse() throws Exception {
-        Files.writeString(folder.resolve("out.png"), "older");
-        Path log = folder.resolve("log");
-        Process process = Program.start(Path.of(System.getProperty("java.home")), List.of(), folder, log, log,
-            "scene.txt", "out.png", "2000", "2000");
-        Thread.sleep(500);
-        process.destroy();
-        int sigterm = 15;
-        assertEquals(128 + sigterm, process.waitFor());
-        assertTrue(Files.readString(log).matches("out\\.png: drawing 2000 x 2000 .*\\R"
-            + "out\\.png: stopped at \\d+ %, the file is as it was\\R"), Files.readString(log));
-        assertEquals("older", Files.readString(folder.resolve("out.png")));
-        assertEquals(List.of("log", "out.png", "scene.txt"), filesInFolder());
-    }
 }

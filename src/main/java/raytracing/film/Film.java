@@ -113,6 +113,17 @@ public final class Film {
     }
 
     /**
+     * Whether a pixel was not finished.
+     *
+     * @param x column, in [0, width)
+     * @param y row, in [0, height), from the top
+     * @return true if it is a gap
+     */
+    public boolean isGap(int x, int y) {
+        return gaps.get(y * width + x);
+    }
+
+    /**
      * Whether some pixels were not finished.
      *
      * @return true if there are gaps
@@ -192,7 +203,7 @@ public final class Film {
 
     private void cutGaps(int y, int[] row) {
         for (int x = 0; x < width; x++) {
-            row[x] = gaps.get(y * width + x) ? 0 : OPAQUE | row[x];
+            row[x] = isGap(x, y) ? 0 : OPAQUE | row[x];
         }
     }
 

@@ -90,10 +90,14 @@ public final class Messages {
     /**
      * Why a file could not be read or written.
      *
-     * @param failure whose own message is often the file's name alone
+     * @param thrown whose own message is often the file's name alone, or that of a library which was told by another one
      * @return what is wrong, without the file's name
      */
-    public static String reason(IOException failure) {
+    public static String reason(IOException thrown) {
+        IOException failure = thrown;
+        while (failure.getCause() instanceof IOException cause) {
+            failure = cause;
+        }
         if (failure instanceof FileSystemException file && file.getFile() != null) {
             return file.getReason() == null ? kind(failure) : file.getReason();
         }

@@ -112,7 +112,7 @@ public final class Session {
         } catch (CancelledException asWished) {
             return false;
         } catch (IOException failure) {
-            throw new IOException(messages.failed(failure), failure);
+            throw new IOException(messages.failed(failure));
         } finally {
             if (line.isPresent()) {
                 line.get().end();

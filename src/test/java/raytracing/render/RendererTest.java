@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -81,29 +79,6 @@ class RendererTest {
         }
         assertTrue(penumbra > 100, "pixels that differ: " + penumbra);
         assertEquals(one.get(0, 0), other.get(0, 0), "the background has no shadows");
-    }
-
-    @Test
-    void everyPixelIsInExactlyOneTile() {
-        int[][] drawn = new int[47][61];
-        TileQueue tiles = new TileQueue(Region.whole(61, 47), 8);
-        for (Optional<Region> next = tiles.next(); next.isPresent(); next = tiles.next()) {
-            Region tile = next.get();
-            for (int y = tile.top(); y < tile.bottom(); y++) {
-                for (int x = tile.left(); x < tile.right(); x++) {
-                    drawn[y][x]++;
-                }
-            }
-        }
-        assertTrue(Arrays.stream(drawn).flatMapToInt(Arrays::stream).allMatch(count -> count == 1));
-    }
-
-    @Test
-    void aClosedQueueHasNoMoreTiles() {
-        TileQueue tiles = new TileQueue(Region.whole(100, 100), 10);
-        assertTrue(tiles.next().isPresent());
-        tiles.close();
-        assertEquals(Optional.empty(), tiles.next());
     }
 
     /** A scene that no parser would make: its sphere has no reflection colour, not even black. */

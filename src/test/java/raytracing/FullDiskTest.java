@@ -1,0 +1,59 @@
+package raytracing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A disk that has room for an older picture and not for another one: 16 kB of memory, mounted for this test. */
+class FullDiskTest {
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void mount() throws Exception {
+        Path disk = Files.createDirectory(folder.resolve("disk"));
+        Shell mount = Shell.run(folder, "mount -t tmpfs -o size=16k tmpfs " + disk);
+        assumeTrue(mount.status() == 0, "skipped: may not mount a small disk here: " + mount.text());
+        Files.copy(Path.of("scenes/bubbles.txt"), folder.resolve("scene.txt"));
+    }
+
+    @AfterEach
+    void unmount() throws Exception {
+        Shell.run(folder, "umount disk");
+    }
+
+    private List<String> filesOnDisk() throws IOException {
+        try (Stream<Path> files = Files.list(folder.resolve("disk"))) {
+            return files.map(file -> file.getFileName().toString()).toList();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "jpg", "bmp", "gif"})
+    void aFullDiskLeavesTheOlderPictureAndSaysSo(String ending) throws Exception {
+        String name = "out." + ending;
+        Files.writeString(folder.resolve("disk").resolve(name), "older");
+        Program program = Program.run(folder, "scene.txt", "disk/" + name, "300", "300", "--quiet");
+        assertEquals("disk/" + name + ": could not be written: No space left on device; the file is as it was\n",
+            program.errors());
+        assertEquals(1, program.status());
+        assertEquals("older", Files.readString(folder.resolve("disk").resolve(name)));
+        assertEquals(List.of(name), filesOnDisk());
+    }
+
+    @Test
+    void aPictureThatFitsIsWritten() throws Exception {
+        assertEquals(0, Program.run(folder, "scene.txt", "disk/out.png", "30", "30").status());
+    }
+}

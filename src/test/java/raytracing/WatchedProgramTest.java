@@ -1,0 +1,159 @@
+package raytracing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What the program says while it draws and afterwards. */
+class WatchedProgramTest {
+    private static final String SCENE = """
+        cam 0 1 -3   0 0 0   0 1 0   1 1
+        set 0.25 0.5 1   3 4
+        mtl 0.5 0.5 0.5   0 0 0   0.5 0.5 0.5   1 0  0.5 0.5 0.5
+        pln 0 1 0  0  1
+        sph 0 0.5 0  0.5  1
+        box 1 0.5 0  0.5  1
+        lgt 0 9 0   1 1 1   1 1 2
+        """;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void writeScene() throws Exception {
+        Files.writeString(folder.resolve("scene.txt"), SCENE);
+    }
+
+    /** {@code script} runs a command on a terminal of its own, and keeps what it shows. */
+    @Test
+    void onATerminalOneLineIsWrittenOverAndOver() throws Exception {
+        assumeTrue(Shell.has("script"), "skipped: there is no script here, which makes a terminal");
+        String slow = SCENE.replace("3 4", "400 4").replace("1 1 2", "1 1 9");
+        Files.writeString(folder.resolve("scene.txt"), slow);
+        Shell shell = Shell.run(folder,
+            "timeout -s INT 4 script -qefc '\"$JAVA\" -jar \"$JAR\" scene.txt out.png 300 300' shown > /dev/null");
+        String shown = Files.readString(folder.resolve("shown"));
+        String[] lines = shown.split("[\r\n]");
+        List<String> progress = List.of(lines).stream().filter(line -> line.contains(" elapsed")).toList();
+        assertTrue(progress.size() >= 3, shell + shown);
+        for (String line : progress) {
+            assertTrue(line.matches("out\\.png  \\d+ %  \\d:\\d\\d elapsed(  [\\d:]+ left)? *"), line);
+            assertTrue(line.length() < 80, line);
+        }
+    }
+
+    @Test
+    void onATerminalTheLineIsGoneAtTheEnd() throws Exception {
+        assumeTrue(Shell.has("script"), "skipped: there is no script here, which makes a terminal");
+        Shell.run(folder, "script -qefc '\"$JAVA\" -jar \"$JAR\" scene.txt out.png 1200 1200 --shadow-rays 9' shown > /dev/null");
+        String shown = Files.readString(folder.resolve("shown"));
+        String last = shown.lines().filter(line -> line.contains("pixels in")).findFirst().orElseThrow();
+        assertTrue(last.matches("(.*elapsed.*\r *\r)?out\\.png: 1200 x 1200 pixels in .*"), last);
+    }
+
+    @Test
+    void quietMeansNoWordUnlessSomethingIsWrong() throws Exception {
+        Program program = Program.run(folder, "scene.txt", "out.png", "20", "20", "--quiet");
+        assertEquals(new Program(0, "", ""), program);
+        assertTrue(Files.exists(folder.resolve("out.png")));
+    }
+
+    @Test
+    void aRegionIsDrawnAndNamed() throws Exception {
+        Program program = Program.run(folder, "scene.txt", "out.png", "20", "30", "--region", "4,5,6,7");
+        assertTrue(program.errors().matches("(?s)out\\.png: drawing 6 x 7 pixels at 4, 5 of 20 x 30 of scene.txt .*"
+            + "out\\.png: 6 x 7 pixels at 4, 5 of 20 x 30 in \\d+ ms.*"), program.errors());
+        assertEquals(6, ImageIO.read(folder.resolve("out.png").toFile()).getWidth());
+    }
+
+    @Test
+    void statisticsForProgramsAreJsonOnStandardOutput() throws Exception {
+        Program program = Program.run(folder, "scene.txt", "out.png", "40", "30", "--stats=json", "--quiet", "--samples",
+            "2", "--threads", "2", "--region", "0,0,40,20");
+        assertEquals("", program.errors());
+        JsonObject statistics = JsonParser.parseString(program.output()).getAsJsonObject();
+        assertEquals(Set.of("scene", "picture", "rays", "culled", "milliseconds", "bytes"), statistics.keySet());
+        JsonObject scene = statistics.getAsJsonObject("scene");
+        assertEquals("scene.txt", scene.get("file").getAsString());
+        assertEquals(List.of(1, 1, 1, 1, 1), List.of(scene.get("spheres").getAsInt(), scene.get("planes").getAsInt(),
+            scene.get("boxes").getAsInt(), scene.get("materials").getAsInt(), scene.get("lights").getAsInt()));
+        assertEquals(3, scene.get("ambient_light").getAsJsonArray().size());
+        JsonObject picture = statistics.getAsJsonObject("picture");
+        assertEquals("[0,0,40,20]", picture.get("region").toString());
+        assertEquals(1, picture.get("share_drawn").getAsDouble());
+        double refined = picture.get("share_of_pixels_smoothed").getAsDouble();
+        JsonObject rays = statistics.getAsJsonObject("rays");
+        // the first pass also looks at the row below the region
+        assertEquals(40 * 21 + Math.round(4 * 40 * 20 * refined), rays.get("from_the_eye").getAsLong());
+        JsonObject culled = statistics.getAsJsonObject("culled");
+        assertTrue(culled.entrySet().stream().allMatch(
+            share -> share.getValue().getAsDouble() >= 0 && share.getValue().getAsDouble() <= 1), culled.toString());
+        JsonObject times = statistics.getAsJsonObject("milliseconds");
+        double all = times.get("all").getAsDouble();
+        assertTrue(times.entrySet().stream().allMatch(
+            time -> time.getValue().getAsDouble() >= 0 && time.getValue().getAsDouble() <= all), times.toString());
+        assertTrue(statistics.getAsJsonObject("bytes").get("peak_of_the_heap").getAsLong() > 40 * 30 * 24);
+    }
+
+    @Test
+    void statisticsForPeopleAreATableOnStandardError() throws Exception {
+        Program program = Program.run(folder, "scene.txt", "out.png", "40", "30", "--stats", "--quiet");
+        assertEquals("", program.output());
+        assertTrue(program.errors().lines().anyMatch(line -> line.matches("  from the eye +1,200")), program.errors());
+        assertTrue(program.errors().lines().anyMatch(line -> line.matches("  share drawn +100\\.0 %")), program.errors());
+        assertTrue(program.errors().lines().allMatch(line -> line.length() <= 80), program.errors());
+    }
+
+    @Test
+    void aNameWithQuotesIsStillJson() throws Exception {
+        Files.writeString(folder.resolve("a \"b\" \\ c.txt"), SCENE);
+        Program program = Program.run(folder, "a \"b\" \\ c.txt", "out.png", "4", "3", "--stats=json", "--quiet");
+        assertEquals("a \"b\" \\ c.txt", JsonParser.parseString(program.output()).getAsJsonObject()
+            .getAsJsonObject("scene").get("file").getAsString());
+    }
+
+    /** Whoever was to read is gone; the picture is there. */
+    @Test
+    void aBrokenPipeEndsWithStatus1ASentenceAndThePicture() throws Exception {
+        Shell shell = Shell.run(folder,
+            "\"$JAVA\" -jar \"$JAR\" scene.txt out.png 4 4 --stats=json --quiet | true; echo ${PIPESTATUS[0]}");
+        assertEquals(List.of("standard output: could not be written", "1"), shell.text().lines().toList());
+        assertEquals(4, ImageIO.read(folder.resolve("out.png").toFile()).getWidth());
+    }
+
+    /** 25 million pixels on one film would be 600 MB. */
+    @Test
+    void memoryDoesNotGrowWithThePicture() throws Exception {
+        Files.writeString(folder.resolve("sky.txt"), "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.25 0.5 1 1 1\n");
+        Program program = Program.run(Path.of(System.getProperty("java.home")), List.of("-Xmx160m"), folder,
+            "sky.txt", "out.png", "5000", "5000", "--quiet");
+        assertEquals(new Program(0, "", ""), program);
+    }
+
+    @Test
+    void aFolderInTheWayIsSaidBeforeAnythingIsDrawn() throws Exception {
+        Files.createDirectory(folder.resolve("out.png"));
+        Program program = Program.run(folder, "scene.txt", "out.png");
+        assertEquals(new Program(2, "", "out.png: is a folder, expected a file name" + System.lineSeparator()), program);
+    }
+
+    @Test
+    void aFolderInsteadOfASceneIsSaid() throws Exception {
+        Files.createDirectory(folder.resolve("scenes"));
+        Program program = Program.run(folder, "scenes", "out.png");
+        assertEquals(1, program.errors().lines().count(), program.errors());
+        assertTrue(program.errors().startsWith("scenes: "), program.errors());
+        assertEquals(2, program.status());
+    }
+}

@@ -1,0 +1,52 @@
+package raytracing.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import raytracing.render.PixelSampling.Where;
+
+class ProgressTest {
+    private static final long PIXELS = 1000;
+
+    @Test
+    void withOneRayItIsTheShareOfThePixels() {
+        Progress progress = new Progress(PIXELS, PixelSampling.ONE_RAY);
+        assertEquals(0, progress.share());
+        progress.looked(250);
+        assertEquals(0.25, progress.share());
+        assertEquals(250, progress.finished());
+    }
+
+    /** 1000 rays of the first pass; 16 for each of the tenth that is refined, of which half is done: 1800 of 2600. */
+    @Test
+    void withSmoothEdgesItIsTheShareOfTheRaysThatAreExpected() {
+        Progress progress = new Progress(PIXELS, new PixelSampling(4, Where.EDGES));
+        progress.looked(PIXELS);
+        progress.refined(500, 50);
+        assertEquals(1800.0 / 2600, progress.share(), 1e-15);
+        assertEquals(500, progress.finished());
+        assertEquals(50, progress.refined());
+    }
+
+    @Test
+    void beforeTheFirstEdgeATypicalShareOfThemIsExpected() {
+        Progress progress = new Progress(PIXELS, new PixelSampling(2, Where.EDGES));
+        progress.looked(500);
+        assertEquals(500.0 / (1000 + 4 * 150), progress.share(), 1e-15);
+    }
+
+    @Test
+    void everywhereThereIsNoFirstPass() {
+        Progress progress = new Progress(PIXELS, new PixelSampling(3, Where.EVERYWHERE));
+        progress.refined(400, 400);
+        assertEquals(0.4, progress.share(), 1e-15);
+    }
+
+    @Test
+    void atTheEndItIsOne() {
+        Progress progress = new Progress(PIXELS, new PixelSampling(3, Where.EDGES));
+        progress.looked(PIXELS);
+        progress.refined(PIXELS, 123);
+        assertEquals(1, progress.share());
+    }
+}
