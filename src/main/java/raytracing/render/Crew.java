@@ -9,7 +9,7 @@ final class Crew {
     private static final long POLL_MILLISECONDS = 20;
 
     /** For how long a pixel at hand is awaited after that. */
-    private static final long PATIENCE_NANOSECONDS = 100_000_000;
+    private static final long PATIENCE_NANOSECONDS = 50_000_000;
 
     private Crew() {
     }

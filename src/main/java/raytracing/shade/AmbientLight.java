@@ -80,6 +80,15 @@ public final class AmbientLight {
         return places.isEmpty() ? 0 : places.get().count();
     }
 
+    /**
+     * How many paths were followed for it.
+     *
+     * @return 0 if it does not vary
+     */
+    public long pathCount() {
+        return (long) DiffusePaths.RAYS * placeCount();
+    }
+
     Optional<Places> places() {
         return places;
     }

@@ -28,12 +28,11 @@ import raytracing.shade.RayCounts;
  * numbers, shares go from 0 to 1, times are in milliseconds, memory is in bytes.
  */
 public final class Statistics {
-    private static final double MILLI = 1e-6;
     private static final Path PROCESS = Path.of("/proc/self/status");
     private static final String PEAK_RESIDENT = "VmHWM:";
     private static final long KILO = 1024;
 
-    private final Map<String, Map<String, Object>> groups = new LinkedHashMap<>();
+    private final Map<String, Map<String, Figure>> groups = new LinkedHashMap<>();
 
     private Statistics() {
     }
@@ -54,7 +53,7 @@ public final class Statistics {
         Statistics statistics = new Statistics();
         statistics.addScene(sceneFile, scene, renderer);
         statistics.addPicture(settings, drawing);
-        statistics.addRays(drawing.counts());
+        statistics.addRays(drawing.counts(), renderer.ambientLight().pathCount());
         statistics.addTimes(renderer, drawing, times);
         statistics.addMemory();
         return statistics;
@@ -70,89 +69,87 @@ public final class Statistics {
     public record Times(long parsingNanoseconds, long writingNanoseconds, long totalNanoseconds) {
     }
 
-    private Map<String, Object> group(String name) {
-        Map<String, Object> group = new LinkedHashMap<>();
+    private Map<String, Figure> group(String name) {
+        Map<String, Figure> group = new LinkedHashMap<>();
         groups.put(name, group);
         return group;
     }
 
     private void addScene(String file, Scene scene, Renderer renderer) {
-        Map<String, Object> group = group("scene");
-        group.put("file", file);
+        Map<String, Figure> group = group("scene");
+        group.put("file", new Figure.Name(file));
         group.put("spheres", count(scene, Sphere.class));
         group.put("planes", count(scene, Plane.class));
         group.put("boxes", count(scene, Box.class));
-        group.put("materials", scene.materials().size());
-        group.put("lights", scene.lights().size());
+        group.put("materials", new Figure.Count(scene.materials().size()));
+        group.put("lights", new Figure.Count(scene.lights().size()));
         if (!renderer.ambientLight().isNone()) {
             Color mean = renderer.ambientLight().mean();
-            group.put("ambient light", List.of(mean.red(), mean.green(), mean.blue()));
-            group.put("ambient places", renderer.ambientLight().placeCount());
+            group.put("ambient light", new Figure.Numbers(List.of(mean.red(), mean.green(), mean.blue())));
+            group.put("ambient places", new Figure.Count(renderer.ambientLight().placeCount()));
         }
     }
 
-    private static int count(Scene scene, Class<? extends Surface> kind) {
-        int count = 0;
+    private static Figure count(Scene scene, Class<? extends Surface> kind) {
+        long count = 0;
         for (Surface surface : scene.surfaces()) {
             count += kind.isInstance(surface) ? 1 : 0;
         }
-        return count;
+        return new Figure.Count(count);
     }
 
     private void addPicture(RenderSettings settings, Drawing drawing) {
-        Map<String, Object> group = group("picture");
+        Map<String, Figure> group = group("picture");
         Region region = settings.region();
-        group.put("width", settings.width());
-        group.put("height", settings.height());
-        group.put("region", List.of(region.left(), region.top(), region.width(), region.height()));
-        group.put("bands", drawing.count());
-        group.put("threads", settings.threads());
-        group.put("share drawn", drawing.share());
-        group.put("share of pixels smoothed", (double) drawing.refinedPixels() / region.pixelCount());
+        group.put("width", new Figure.Count(settings.width()));
+        group.put("height", new Figure.Count(settings.height()));
+        group.put("region", new Figure.Numbers(
+            List.of(region.left(), region.top(), region.width(), region.height())));
+        group.put("bands", new Figure.Count(drawing.count()));
+        group.put("threads", new Figure.Count(settings.threads()));
+        group.put("share drawn", new Figure.Share(drawing.share()));
+        group.put("share of pixels smoothed", Figure.Share.of(drawing.refinedPixels(), region.pixelCount()));
     }
 
-    private void addRays(RayCounts counts) {
-        Map<String, Object> rays = group("rays");
-        rays.put("from the eye", counts.eye());
-        rays.put("mirrored", counts.mirrored());
-        rays.put("surfaces met by both", counts.surfacesMet());
-        rays.put("to lights", counts.shadowRays());
-        rays.put("shadows by areas", counts.shadowAreas());
-        Map<String, Object> culled = group("culled");
-        culled.put("mirrored rays too faint to be seen", share(counts.mirroredLeftOut(),
+    private void addRays(RayCounts counts, long ambientPaths) {
+        Map<String, Figure> rays = group("rays");
+        rays.put("from the eye", new Figure.Count(counts.eye()));
+        rays.put("mirrored", new Figure.Count(counts.mirrored()));
+        rays.put("surfaces met by both", new Figure.Count(counts.surfacesMet()));
+        rays.put("to lights", new Figure.Count(counts.shadowRays()));
+        rays.put("shadows by areas", new Figure.Count(counts.shadowAreas()));
+        rays.put("paths of ambient light", new Figure.Count(ambientPaths));
+        Map<String, Figure> culled = group("culled");
+        culled.put("mirrored rays too faint to be seen", Figure.Share.of(counts.mirroredLeftOut(),
             counts.mirrored() + counts.mirroredLeftOut()));
-        culled.put("lights that a surface faces away from", share(counts.lightsAtPoints() - counts.lightsAsked(),
+        culled.put("lights that a surface faces away from", Figure.Share.of(counts.lightsAtPoints() - counts.lightsAsked(),
             counts.lightsAtPoints()));
-        culled.put("other lights whose shadow needed no ray", share(counts.lightsSettled(), counts.lightsAsked()));
-    }
-
-    private static double share(long part, long whole) {
-        return whole == 0 ? 0 : (double) part / whole;
+        culled.put("other lights whose shadow needed no ray", Figure.Share.of(counts.lightsSettled(), counts.lightsAsked()));
     }
 
     private void addTimes(Renderer renderer, Drawing drawing, Times times) {
-        Map<String, Object> group = group("milliseconds");
-        group.put("reading the scene", MILLI * times.parsingNanoseconds);
-        group.put("arranging its surfaces", MILLI * renderer.compilingNanoseconds());
-        group.put("ambient light", MILLI * renderer.ambientNanoseconds());
-        group.put("drawing", MILLI * drawing.nanoseconds());
-        group.put("writing the file", MILLI * (times.writingNanoseconds - drawing.nanoseconds()));
-        group.put("all", MILLI * times.totalNanoseconds);
+        Map<String, Figure> group = group("milliseconds");
+        group.put("reading the scene", new Figure.Milliseconds(times.parsingNanoseconds));
+        group.put("arranging its surfaces", new Figure.Milliseconds(renderer.compilingNanoseconds()));
+        group.put("ambient light", new Figure.Milliseconds(renderer.ambientNanoseconds()));
+        group.put("drawing", new Figure.Milliseconds(drawing.nanoseconds()));
+        group.put("writing the file", new Figure.Milliseconds(times.writingNanoseconds - drawing.nanoseconds()));
+        group.put("all", new Figure.Milliseconds(times.totalNanoseconds));
     }
 
     /** Java's own objects, and all of the process where the system says it. */
     private void addMemory() {
-        Map<String, Object> group = group("bytes");
+        Map<String, Figure> group = group("bytes");
         long heap = 0;
         for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
             if (pool.getType() == MemoryType.HEAP) {
                 heap += pool.getPeakUsage().getUsed();
             }
         }
-        group.put("peak of the heap", heap);
+        group.put("peak of the heap", new Figure.Count(heap));
         for (String line : linesOf(PROCESS)) {
             if (line.startsWith(PEAK_RESIDENT)) {
-                group.put("peak of the process", KILO * Long.parseLong(line.replaceAll("\\D", "")));
+                group.put("peak of the process", new Figure.Count(KILO * Long.parseLong(line.replaceAll("\\D", ""))));
             }
         }
     }
@@ -168,35 +165,17 @@ public final class Statistics {
     /**
      * For people.
      *
-     * @return a table of lines, with a line for each figure
+     * @return a table with a line for each figure
      */
     public String text() {
         StringBuilder text = new StringBuilder();
-        for (Map.Entry<String, Map<String, Object>> group : groups.entrySet()) {
+        for (Map.Entry<String, Map<String, Figure>> group : groups.entrySet()) {
             text.append(group.getKey()).append(System.lineSeparator());
-            boolean areShares = group.getKey().equals("culled");
-            for (Map.Entry<String, Object> figure : group.getValue().entrySet()) {
-                boolean isShare = areShares || figure.getKey().startsWith("share");
-                text.append(String.format(Locale.ROOT, "  %-42s %s%n", figure.getKey(),
-                    isShare ? String.format(Locale.ROOT, "%.1f %%", 100 * (Double) figure.getValue())
-                        : readable(figure.getValue())));
+            for (Map.Entry<String, Figure> figure : group.getValue().entrySet()) {
+                text.append(String.format(Locale.ROOT, "  %-42s %s%n", figure.getKey(), figure.getValue().text()));
             }
         }
         return text.toString();
-    }
-
-    private static String readable(Object value) {
-        if (value instanceof List<?> list) {
-            List<String> parts = new ArrayList<>();
-            for (Object part : list) {
-                parts.add(readable(part));
-            }
-            return String.join(" ", parts);
-        }
-        if (value instanceof Double number) {
-            return String.format(Locale.ROOT, number < 10 ? "%.3f" : "%.0f", number);
-        }
-        return value instanceof Long number ? String.format(Locale.ROOT, "%,d", number) : value.toString();
     }
 
     /**
@@ -205,38 +184,22 @@ public final class Statistics {
      * @return a JSON object (RFC 8259) in one line, with an object for each group
      */
     public String json() {
-        return json(groups) + System.lineSeparator();
+        List<String> members = new ArrayList<>();
+        for (Map.Entry<String, Map<String, Figure>> group : groups.entrySet()) {
+            List<String> figures = new ArrayList<>();
+            for (Map.Entry<String, Figure> figure : group.getValue().entrySet()) {
+                figures.add(member(figure.getKey(), figure.getValue().json()));
+            }
+            members.add(member(group.getKey(), object(figures)));
+        }
+        return object(members) + System.lineSeparator();
     }
 
-    private static String json(Object value) {
-        if (value instanceof Map<?, ?> map) {
-            List<String> members = new ArrayList<>();
-            for (Map.Entry<?, ?> member : map.entrySet()) {
-                members.add(json(((String) member.getKey()).replace(' ', '_')) + ": " + json(member.getValue()));
-            }
-            return "{" + String.join(", ", members) + "}";
-        }
-        if (value instanceof List<?> list) {
-            List<String> elements = new ArrayList<>();
-            for (Object element : list) {
-                elements.add(json(element));
-            }
-            return "[" + String.join(", ", elements) + "]";
-        }
-        return value instanceof String text ? quoted(text) : value.toString();
+    private static String member(String name, String value) {
+        return Figure.quoted(name.replace(' ', '_')) + ": " + value;
     }
 
-    private static String quoted(String text) {
-        StringBuilder quoted = new StringBuilder("\"");
-        for (char c : text.toCharArray()) {
-            if (c == '"' || c == '\\') {
-                quoted.append('\\').append(c);
-            } else if (c < ' ') {
-                quoted.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
-            } else {
-                quoted.append(c);
-            }
-        }
-        return quoted.append('"').toString();
+    private static String object(List<String> members) {
+        return "{" + String.join(", ", members) + "}";
     }
 }
