@@ -1,0 +1,108 @@
+package raytracing.fuzz;
+
+import java.io.ByteArrayOutputStream;
+import java.util.List;
+import java.util.Optional;
+import raytracing.parse.RayTracerException;
+import raytracing.parse.SceneParser;
+import raytracing.scene.Scene;
+
+/**
+ * What the parser owes to any bytes at all: a scene whose numbers are those the format allows, or messages that somebody
+ * can read; and the same answer for the same text with other line ends, or with a mark before it. Nothing is asked of its
+ * time here: whoever runs this on many files gives up on one that does not end.
+ */
+public final class AnyBytes {
+    private static final String FILE = "any.txt";
+    private static final int MOST_LISTED = 20;
+
+    private AnyBytes() {
+    }
+
+    /**
+     * Holds the parser to it.
+     *
+     * @param bytes of a file
+     * @throws AssertionError if they get something else; names what
+     */
+    public static void check(byte[] bytes) {
+        Answer answer = answer(bytes);
+        answer.scene.ifPresent(SceneRanges::check);
+        checkMessages(answer);
+        if (!isUtf16(bytes)) {
+            same(answer, answer(marked(bytes)), "a byte-order mark before it");
+            same(answer, answer(withLineEnds(bytes, "\r\n")), "line ends CRLF");
+            same(answer, answer(withLineEnds(bytes, "\r")), "line ends CR");
+        }
+    }
+
+    /** A scene, or none and what is wrong. */
+    private record Answer(Optional<Scene> scene, List<String> messages) {
+    }
+
+    private static Answer answer(byte[] bytes) {
+        try {
+            return new Answer(Optional.of(SceneParser.parse(FILE, bytes)), List.of());
+        } catch (RayTracerException wrong) {
+            return new Answer(Optional.empty(), wrong.messages());
+        }
+    }
+
+    private static void checkMessages(Answer answer) {
+        List<String> messages = answer.messages;
+        claim(answer.scene.isPresent() || !messages.isEmpty(), "neither a scene nor a message");
+        claim(messages.size() <= MOST_LISTED || messages.size() == MOST_LISTED + 1
+            && messages.get(MOST_LISTED).matches(FILE + ": and [1-9][0-9]* more"), "more messages than there may be");
+        for (String message : messages) {
+            claim(message.startsWith(FILE + ":") && message.length() > FILE.length() + 2, "no name of the file", message);
+            claim(message.codePoints().allMatch(AnyBytes::isOfOneLine), "not one line of text", message);
+            claim(message.length() <= LONGEST_MESSAGE, "too long to read", message);
+        }
+    }
+
+    /** Twice the quote of forty characters, each maybe of two chars, and the longest list of values of a form. */
+    private static final int LONGEST_MESSAGE = 500;
+
+    private static boolean isOfOneLine(int character) {
+        int type = Character.getType(character);
+        return type != Character.CONTROL && type != Character.LINE_SEPARATOR && type != Character.PARAGRAPH_SEPARATOR
+            && type != Character.SURROGATE;
+    }
+
+    private static boolean isUtf16(byte[] bytes) {
+        int first = bytes.length < 2 ? 0 : (bytes[0] & 0xff) << 8 | bytes[1] & 0xff;
+        return first == 0xfeff || first == 0xfffe;
+    }
+
+    private static byte[] marked(byte[] bytes) {
+        ByteArrayOutputStream marked = new ByteArrayOutputStream();
+        marked.writeBytes(new byte[] {(byte) 0xef, (byte) 0xbb, (byte) 0xbf});
+        marked.writeBytes(bytes);
+        return marked.toByteArray();
+    }
+
+    /** The same lines with one kind of end; it is a pair that ends one line, so pairs come first. */
+    private static byte[] withLineEnds(byte[] bytes, String lineEnd) {
+        ByteArrayOutputStream lines = new ByteArrayOutputStream();
+        for (int i = 0; i < bytes.length; i++) {
+            boolean isPair = bytes[i] == '\r' && i + 1 < bytes.length && bytes[i + 1] == '\n';
+            if (bytes[i] == '\n' || bytes[i] == '\r') {
+                lineEnd.chars().forEach(lines::write);
+                i += isPair ? 1 : 0;
+            } else {
+                lines.write(bytes[i]);
+            }
+        }
+        return lines.toByteArray();
+    }
+
+    private static void same(Answer expected, Answer got, String change) {
+        claim(expected.equals(got), "another answer with " + change, expected + " and " + got);
+    }
+
+    static void claim(boolean isTrue, String otherwise, Object... seen) {
+        if (!isTrue) {
+            throw new AssertionError(otherwise + (seen.length == 0 ? "" : ": " + seen[0]));
+        }
+    }
+}
