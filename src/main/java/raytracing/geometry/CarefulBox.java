@@ -1,14 +1,13 @@
 package raytracing.geometry;
 
-import java.math.BigDecimal;
-import java.util.stream.Stream;
 import raytracing.math.DoubleDouble;
+import raytracing.math.Dyadic;
 import raytracing.math.Vector;
 
 /**
  * The questions about boxes that doubles leave open: rays through edges and corners or in the plane of a face, origins
  * on a face. Ways to the faces are double-doubles, whose signs are right; which of two faces is passed first is asked of
- * exact decimals where 106 bits leave a doubt. So every decision is that of real arithmetic on the doubles given,
+ * exact numbers where 106 bits leave a doubt. So every decision is that of real arithmetic on the doubles given,
  * provided the sizes of lengths differ by less than 2^400.
  */
 final class CarefulBox {
@@ -48,13 +47,13 @@ final class CarefulBox {
             return Math.abs(way.high()) <= error ? DoubleDouble.ZERO : way;
         }
 
-        private BigDecimal exactWay(double towards) {
-            return way(towards).sign() == 0 ? BigDecimal.ZERO : new BigDecimal(middle).subtract(new BigDecimal(from))
-                .multiply(new BigDecimal(sign)).add(new BigDecimal(towards));
+        private Dyadic exactWay(double towards) {
+            return way(towards).sign() == 0 ? Dyadic.ZERO
+                : Dyadic.of(sign * middle).minus(Dyadic.of(sign * from)).plus(Dyadic.of(towards));
         }
 
-        private BigDecimal exactSpeed() {
-            return new BigDecimal(speed.high()).add(new BigDecimal(speed.low()));
+        private Dyadic exactSpeed() {
+            return Dyadic.of(speed.high()).plus(Dyadic.of(speed.low()));
         }
 
         double crossing(double towards) {
@@ -81,8 +80,8 @@ final class CarefulBox {
             if (Math.abs(difference) > ERROR * Math.abs(mine.high())) {
                 return difference > 0;
             }
-            return exactWay(towards).multiply(other.exactSpeed())
-                .compareTo(other.exactWay(otherTowards).multiply(exactSpeed())) > 0;
+            return exactWay(towards).times(other.exactSpeed())
+                .minus(other.exactWay(otherTowards).times(exactSpeed())).signum() > 0;
         }
     }
 
@@ -109,13 +108,16 @@ final class CarefulBox {
     }
 
     private static double firstCrossing(Slab... slabs) {
-        if (Stream.of(slabs).anyMatch(slab -> !slab.isCrossed() && isBeyond(slab))) {
-            return Surface.MISS;             // beside the cube all the way
+        Slab entered = firstCrossed(slabs);
+        Slab left = entered;
+        for (Slab slab : slabs) {
+            if (slab.isCrossed()) {
+                entered = slab.isEnteredAfterEntering(entered) ? slab : entered;
+                left = left.isLeftAfterLeaving(slab) ? slab : left;
+            } else if (isBeyond(slab)) {
+                return Surface.MISS;         // beside the cube all the way
+            }
         }
-        Slab entered = Stream.of(slabs).filter(Slab::isCrossed)
-            .reduce((first, second) -> second.isEnteredAfterEntering(first) ? second : first).orElseThrow();
-        Slab left = Stream.of(slabs).filter(Slab::isCrossed)
-            .reduce((first, second) -> first.isLeftAfterLeaving(second) ? second : first).orElseThrow();
         if (entered.isEnteredAfterLeaving(left)) {
             return Surface.MISS;
         }
@@ -123,6 +125,14 @@ final class CarefulBox {
             return entered.crossing(-entered.half());
         }
         return left.wayToFar().sign() > 0 ? left.crossing(left.half()) : Surface.MISS;
+    }
+
+    private static Slab firstCrossed(Slab... slabs) {
+        int i = 0;
+        while (!slabs[i].isCrossed()) {
+            i++;
+        }
+        return slabs[i];
     }
 
     /** Whether a point is strictly outside. */

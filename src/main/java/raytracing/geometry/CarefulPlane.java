@@ -1,14 +1,14 @@
 package raytracing.geometry;
 
-import java.math.BigDecimal;
-import raytracing.math.DecimalVector;
 import raytracing.math.DoubleDouble;
 import raytracing.math.DoubleDoubleVector;
+import raytracing.math.Dyadic;
+import raytracing.math.DyadicVector;
 import raytracing.math.Vector;
 
 /**
  * The questions about planes that doubles leave open, in double-doubles: origins close to the plane, rays nearly along
- * it, sizes near the ends of the range. Where 106 bits leave a doubt too, exact decimals take over for that one number.
+ * it, sizes near the ends of the range. Where 106 bits leave a doubt too, exact numbers take over for that one number.
  * So every decision is that of real arithmetic on the doubles given, provided the sizes of lengths differ by less than
  * 2^400. The formulas are those of {@link PlaneKernel}.
  */
@@ -86,6 +86,6 @@ final class CarefulPlane {
     }
 
     private static DoubleDouble exactSum(Vector v, Vector w, double s) {
-        return DoubleDouble.nearest(DecimalVector.of(v).dot(DecimalVector.of(w)).add(new BigDecimal(s)));
+        return DoubleDouble.nearest(DyadicVector.of(v).dot(DyadicVector.of(w)).plus(Dyadic.of(s)));
     }
 }

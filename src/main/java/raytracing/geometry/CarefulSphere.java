@@ -1,14 +1,14 @@
 package raytracing.geometry;
 
-import java.math.BigDecimal;
-import raytracing.math.DecimalVector;
 import raytracing.math.DoubleDouble;
 import raytracing.math.DoubleDoubleVector;
+import raytracing.math.Dyadic;
+import raytracing.math.DyadicVector;
 import raytracing.math.Vector;
 
 /**
  * The questions about spheres that doubles leave open, in double-doubles: origins close to the wall, grazing rays, sizes
- * near the ends of the range. Where 106 bits leave a doubt too, exact decimals take over for that one number. So every
+ * near the ends of the range. Where 106 bits leave a doubt too, exact numbers take over for that one number. So every
  * decision is that of real arithmetic on the doubles given, provided the sizes of lengths differ by less than 2^400.
  * The formulas are those of {@link SphereKernel}.
  */
@@ -60,7 +60,7 @@ final class CarefulSphere {
         DoubleDouble discriminant = discriminant(d, a);
         double half = Math.sqrt(Math.max(0, discriminant.high()));
         if (isDoubtful(discriminant, d, half * (Math.abs(b.high()) + half))) {
-            BigDecimal exact = exactDiscriminant(DecimalVector.of(direction));
+            Dyadic exact = exactDiscriminant(DyadicVector.of(direction));
             if (exact.signum() < 0) {
                 return Surface.MISS;
             }
@@ -112,7 +112,7 @@ final class CarefulSphere {
     private boolean meetsLine(DoubleDoubleVector d, Vector end) {
         DoubleDouble discriminant = discriminant(d, d.dot(d));
         return isDoubtful(discriminant, d, 0)
-            ? exactDiscriminant(DecimalVector.of(end).minus(DecimalVector.of(origin))).signum() >= 0
+            ? exactDiscriminant(DyadicVector.of(end).minus(DyadicVector.of(origin))).signum() >= 0
             : discriminant.sign() >= 0;
     }
 
@@ -140,9 +140,10 @@ final class CarefulSphere {
         return size < spread ? DoubleDouble.ZERO : DoubleDouble.nearest(exactPower(point));
     }
 
-    private BigDecimal exactPower(Vector point) {
-        DecimalVector fromCentre = DecimalVector.of(point).minus(DecimalVector.of(centre));
-        return fromCentre.dot(fromCentre).subtract(new BigDecimal(radius).pow(2));
+    private Dyadic exactPower(Vector point) {
+        DyadicVector fromCentre = DyadicVector.of(point).minus(DyadicVector.of(centre));
+        Dyadic exactRadius = Dyadic.of(radius);
+        return fromCentre.dot(fromCentre).minus(exactRadius.times(exactRadius));
     }
 
     private DoubleDouble discriminant(DoubleDoubleVector d, DoubleDouble a) {
@@ -166,9 +167,9 @@ final class CarefulSphere {
         return !(Math.abs(discriminant.high()) > error);
     }
 
-    private BigDecimal exactDiscriminant(DecimalVector d) {
-        DecimalVector fromCentre = DecimalVector.of(origin).minus(DecimalVector.of(centre));
-        BigDecimal b = fromCentre.dot(d);
-        return b.multiply(b).subtract(d.dot(d).multiply(exactPower(origin)));
+    private Dyadic exactDiscriminant(DyadicVector d) {
+        DyadicVector fromCentre = DyadicVector.of(origin).minus(DyadicVector.of(centre));
+        Dyadic b = fromCentre.dot(d);
+        return b.times(b).minus(d.dot(d).times(exactPower(origin)));
     }
 }

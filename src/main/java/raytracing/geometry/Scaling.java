@@ -10,7 +10,9 @@ final class Scaling {
     /** Beyond this exponent a factor would not be a normal number. */
     private static final int LARGEST = 1000;
 
-    /** Exact decimals of numbers smaller than this, beside 1, are so long that a picture of them takes minutes. */
+    private static final int DOUBLE_FRACTION_BITS = 52;
+
+    /** Exact numbers of sizes further apart than 1 and this are long, and no picture shows the smaller one. */
     private static final double NEGLIGIBLE = 0x1p-400;
 
     private Scaling() {
@@ -26,12 +28,17 @@ final class Scaling {
         return Math.abs(exponent) <= HARMLESS ? 0 : Math.max(-LARGEST, Math.min(LARGEST, exponent));
     }
 
+    /** A normal number, for exponents up to {@link #LARGEST} in size. Quicker than the library's way for any exponent. */
+    private static double powerOfTwo(int exponent) {
+        return Double.longBitsToDouble((long) (exponent + Double.MAX_EXPONENT) << DOUBLE_FRACTION_BITS);
+    }
+
     /** A size scaled; where scaling is needed at all, a size 2^400 times smaller than the largest counts as 0. */
     static double down(double value, int exponent) {
         if (exponent == 0) {
             return value;
         }
-        double scaled = Math.scalb(value, -exponent);
+        double scaled = value * powerOfTwo(-exponent);
         return Math.abs(scaled) < NEGLIGIBLE ? 0 : scaled;
     }
 

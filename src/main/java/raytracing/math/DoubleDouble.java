@@ -1,7 +1,5 @@
 package raytracing.math;
 
-import java.math.BigDecimal;
-
 /**
  * A number of twice the precision: the unevaluated sum of two doubles, the second at most half a unit in the last
  * place of the first. Immutable.
@@ -59,9 +57,9 @@ public record DoubleDouble(double high, double low) {
      * @param exact any number whose size is that of a double
      * @return relative error at most u^2
      */
-    public static DoubleDouble nearest(BigDecimal exact) {
+    public static DoubleDouble nearest(Dyadic exact) {
         double high = exact.doubleValue();
-        return new DoubleDouble(high, exact.subtract(new BigDecimal(high)).doubleValue());
+        return new DoubleDouble(high, exact.minus(Dyadic.of(high)).doubleValue());
     }
 
     /**

@@ -1,24 +1,21 @@
 package raytracing.math;
 
-import java.math.BigDecimal;
-
 /**
- * A vector of exact numbers: every double is a decimal with finitely many digits, and so are sums and products of them.
- * It decides what no fixed precision can. Slow, and hardly ever asked. Immutable.
+ * A vector of exact numbers. Immutable.
  *
  * @param x x part
  * @param y y part
  * @param z z part
  */
-public record DecimalVector(BigDecimal x, BigDecimal y, BigDecimal z) {
+public record DyadicVector(Dyadic x, Dyadic y, Dyadic z) {
     /**
      * A vector of doubles, unchanged.
      *
      * @param vector finite parts
      * @return the same vector
      */
-    public static DecimalVector of(Vector vector) {
-        return new DecimalVector(new BigDecimal(vector.x()), new BigDecimal(vector.y()), new BigDecimal(vector.z()));
+    public static DyadicVector of(Vector vector) {
+        return new DyadicVector(Dyadic.of(vector.x()), Dyadic.of(vector.y()), Dyadic.of(vector.z()));
     }
 
     /**
@@ -27,8 +24,8 @@ public record DecimalVector(BigDecimal x, BigDecimal y, BigDecimal z) {
      * @param other subtrahend
      * @return this - other
      */
-    public DecimalVector minus(DecimalVector other) {
-        return new DecimalVector(x.subtract(other.x), y.subtract(other.y), z.subtract(other.z));
+    public DyadicVector minus(DyadicVector other) {
+        return new DyadicVector(x.minus(other.x), y.minus(other.y), z.minus(other.z));
     }
 
     /**
@@ -37,7 +34,7 @@ public record DecimalVector(BigDecimal x, BigDecimal y, BigDecimal z) {
      * @param other any vector
      * @return this . other
      */
-    public BigDecimal dot(DecimalVector other) {
-        return x.multiply(other.x).add(y.multiply(other.y)).add(z.multiply(other.z));
+    public Dyadic dot(DyadicVector other) {
+        return x.times(other.x).plus(y.times(other.y)).plus(z.times(other.z));
     }
 }

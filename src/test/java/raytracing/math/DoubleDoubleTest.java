@@ -59,11 +59,28 @@ class DoubleDoubleTest {
         assertBound(2 * U * U, (a, b) -> a.times(b.high()), (a, b) -> a.multiply(new BigDecimal(b.doubleValue())));
     }
 
+    private static DoubleDouble nearest(BigDecimal exact) {
+        double high = exact.doubleValue();
+        return new DoubleDouble(high, exact.subtract(new BigDecimal(high)).doubleValue());
+    }
+
+    /** Pairs are kept as they are; a third double that neither of the two has room for is rounded away. */
+    @Test
+    void thePairNearestToAnExactNumberIsOffByLessThanItsOwnRounding() {
+        SplittableRandom random = new SplittableRandom(12);
+        for (int i = 0; i < CASES; i++) {
+            DoubleDouble a = random(random);
+            double rest = random.nextDouble(-1, 1) * U * U * a.high();
+            Dyadic exact = Dyadic.of(a.high()).plus(Dyadic.of(a.low())).plus(Dyadic.of(rest));
+            assertEquals(nearest(exact(a).add(new BigDecimal(rest))), DoubleDouble.nearest(exact));
+        }
+    }
+
     @Test
     void squareRootsKeepTheirBound() {
         MathContext digits = new MathContext(60);
         assertBound(25.0 / 8 * U * U, (a, b) -> a.times(a).squareRoot(),
-            (a, b) -> exact(DoubleDouble.nearest(a).times(DoubleDouble.nearest(a))).sqrt(digits));
+            (a, b) -> exact(nearest(a).times(nearest(a))).sqrt(digits));
         assertEquals(DoubleDouble.ZERO, DoubleDouble.ZERO.squareRoot());
     }
 
