@@ -11,7 +11,8 @@ import raytracing.scene.Scene;
 
 /**
  * Estimates the ambient light of a room from what the camera sees of it: src/docs/AMBIENT.md has the method, its rivals and
- * their errors. The same scene, shape of the picture and seed give the same light, whoever works on it.
+ * their errors. The same scene, shape of the picture and seed give the same light, whoever works on it; pictures of at most
+ * 36 pixels along both edges have a light of their own, from places no denser than their pixels.
  *
  * <p>The camera looks at a grid of places. At a coarse part of them light is gathered first, then, in two steps, at those
  * of the finer ones that lie too far from all before: so places are dense where surfaces are close to each other, where
@@ -20,7 +21,7 @@ import raytracing.scene.Scene;
  * Radiosity Image Generation, SIGGRAPH 1988).
  */
 public final class AmbientEstimate {
-    /** Edge of the grid, in places. */
+    /** Edge of the grid, in places, for all but the smallest pictures: a multiple of the coarsest step. */
     private static final int GRID = 40;
 
     /** Where no place of the grid sees a surface with an ambient colour, one of a grid that is so much finer may. */
@@ -55,8 +56,8 @@ public final class AmbientEstimate {
      *
      * @param scene the room
      * @param compiled its surfaces
-     * @param width of the picture, any unit, at least 1
-     * @param height of the picture, same unit
+     * @param width of the picture in pixels, at least 1
+     * @param height of the picture in pixels, at least 1
      * @param seed of the random numbers
      * @param workers who does it; the result is the same
      * @return the light, or {@link AmbientLight#NONE} if no surface asks for it or none that does is seen
@@ -78,11 +79,19 @@ public final class AmbientEstimate {
     }
 
     private AmbientLight estimate(int width, int height) {
-        PlaceGrid grid = look(width, height, GRID);
-        if (grid.isEmpty()) {
-            grid = look(width, height, FINER * GRID);
+        int edge = edge(width, height);
+        PlaceGrid grid = look(width, height, edge);
+        if (!grid.isEmpty()) {
+            return estimate(grid, COARSEST_STEP);
         }
-        return grid.isEmpty() ? AmbientLight.NONE : estimate(grid);
+        PlaceGrid finer = look(width, height, FINER * edge);
+        return finer.isEmpty() ? AmbientLight.NONE : estimate(finer, FINER * COARSEST_STEP);
+    }
+
+    /** As many places as pixels are enough along the longer edge: more would cost more than the picture. */
+    private static int edge(int width, int height) {
+        int longer = Math.min(GRID, Math.max(width, height));
+        return (longer + COARSEST_STEP - 1) / COARSEST_STEP * COARSEST_STEP;
     }
 
     private PlaceGrid look(int width, int height, int edge) {
@@ -91,9 +100,9 @@ public final class AmbientEstimate {
         return grid;
     }
 
-    private AmbientLight estimate(PlaceGrid grid) {
+    private AmbientLight estimate(PlaceGrid grid, int coarsestStep) {
         List<Place> places = new ArrayList<>();
-        for (int step = grid.edge() / GRID * COARSEST_STEP; step >= 1; step /= 2) {
+        for (int step = coarsestStep; step >= 1; step /= 2) {
             int before = places.size();
             places.addAll(grid.choose(step, places));
             new Gathering(places, before, 1, places.size()).run();

@@ -2,10 +2,12 @@ package raytracing.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.EnumSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.ambient.AmbientScenes;
@@ -42,11 +44,19 @@ class SameAmbientLightTest {
     /** What is gathered at the places is the same; only how far apart the pixels lie is not. */
     @Test
     void forPicturesOfTheSameShape() {
-        Color small = new Renderer(SCENE, SMALL).ambientLight().mean();
+        Color small = new Renderer(SCENE, SMALL.withSize(60, 40)).ambientLight().mean();
         Color large = new Renderer(SCENE, SMALL.withSize(120, 80)).ambientLight().mean();
         assertEquals(small.red(), large.red(), 1e-9);
         assertEquals(small.green(), large.green(), 1e-9);
         assertEquals(small.blue(), large.blue(), 1e-9);
+    }
+
+    /** What is looked at, at most: as many places as the picture has pixels, each along its longer edge. */
+    @ParameterizedTest
+    @CsvSource({"1, 1, 16", "4, 3, 16", "16, 5, 256", "5, 16, 256"})
+    void butNotForTinyOnesWhichHaveNoMorePlacesThanPixels(int width, int height, int most) {
+        AmbientLight light = new Renderer(SCENE, SMALL.withSize(width, height)).ambientLight();
+        assertTrue(light.placeCount() > 0 && light.placeCount() <= most, light.placeCount() + " places");
     }
 
     @Test
