@@ -12,4 +12,11 @@ class AxisOrderTest {
     void theAxisAlongWhichTheRayGoesFurthestComesLast(double x, double y, double z, AxisOrder expected) {
         assertEquals(expected, AxisOrder.of(x, y, z));
     }
+
+    /** Either would do, but pictures keep their last bits from version to version only if it is always the same one. */
+    @ParameterizedTest(name = "{0} {1} {2}: {3}")
+    @CsvSource({"1, 1, 1, Z_LAST", "1, 0, -1, Z_LAST", "0, 1, 1, Z_LAST", "1, -1, 0, X_LAST"})
+    void ofEquallyFarAxesZComesLastAndOtherwiseX(double x, double y, double z, AxisOrder expected) {
+        assertEquals(expected, AxisOrder.of(x, y, z));
+    }
 }

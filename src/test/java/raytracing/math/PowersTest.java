@@ -3,6 +3,7 @@ package raytracing.math;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.math.BigDecimal;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,6 +23,21 @@ class PowersTest {
         for (double base : new double[] {0.9999, 0.99, 1 - 0x1p-20, 1 + 0x1p-52}) {
             double exact = new BigDecimal(base).pow(exponent, ExactVector.DIGITS).doubleValue();
             assertEquals(exact, Powers.power(base, exponent), exact * exponent * 0x1p-52);
+        }
+    }
+
+    /** The bits of highlights hang on it: a logarithm and back would round elsewhere. */
+    @Test
+    void wholePowersUpTo4096AreProducts() {
+        SplittableRandom random = new SplittableRandom(18);
+        for (int i = 0; i < 1_000; i++) {
+            double base = random.nextDouble(0.99, 1.01);
+            assertEquals(base * (base * base), Powers.power(base, 3));
+            double squaredTwelveTimes = base;
+            for (int k = 0; k < 12; k++) {
+                squaredTwelveTimes *= squaredTwelveTimes;
+            }
+            assertEquals(squaredTwelveTimes, Powers.power(base, 4096));
         }
     }
 

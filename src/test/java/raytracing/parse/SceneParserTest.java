@@ -128,6 +128,7 @@ class SceneParserTest {
     @Test
     void theLastLineNeedsNoEnd() throws RayTracerException {
         assertEquals(parse(HEAD), parse(HEAD.strip()));
+        assertEquals(parse(HEAD), parse(HEAD + "# the end"));
     }
 
     @ParameterizedTest
@@ -135,6 +136,14 @@ class SceneParserTest {
     void aByteOrderMarkIsNoPartOfTheFirstCode(String encoding) throws RayTracerException {
         byte[] marked = ("\ufeff" + HEAD).getBytes(Charset.forName(encoding));
         assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"UTF-8", "UTF-16LE", "UTF-16BE"})
+    void aByteOrderMarkAloneIsAnEmptyFile(String encoding) {
+        byte[] mark = "\ufeff".getBytes(Charset.forName(encoding));
+        assertEquals(messages(""),
+            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", mark)).messages());
     }
 
     /** Course files have remarks in several encodings of Hebrew. Every pair of bytes that is no line end must do. */
@@ -275,6 +284,7 @@ class SceneParserTest {
         "mtl 1 1 1 0 0 0 0 0 0 1 0 1 1 | mtl: expected 11 or 14 values (diffuse 3, specular 3, reflection 3, Phong exponent, transparency, [ambient 3]), got 13",
         "set 0 0 0 1 1             | set: one too many, the first is on line 2, expected exactly one",
         "cam 0 0 0 1 1 1 0 1 0 1 1 | cam: one too many, the first is on line 1, expected exactly one",
+        "cam 0                     | cam: one too many, the first is on line 1, expected exactly one",
         "sphere 0 0 0 1 1          | sphere: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
         "trg 0 0 0 1 1             | trg: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
         "= 1                       | =: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
@@ -292,6 +302,7 @@ class SceneParserTest {
         "cam 0 0 0 0 0 1 0 0 5 1 1           | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 0.0 5.0",
         "cam 0 0 0 0 0 1 0 0 -5 1 1          | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 0.0 -5.0",
         "cam 0 0 0 0 0 1 0 1e-15 1 1 1       | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 1.0E-15 1.0",
+        "cam 0 0 0 0 0 1 0 1e-10 1 1 1       | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 1.0E-10 1.0",
         "cam 0 0 0 0 0 1 0 1 0 0 1           | screen distance must be above 0, got 0",
         "cam 0 0 0 0 0 1 0 1 0 -1 1          | screen distance must be above 0, got -1",
         "cam 0 0 0 0 0 1 0 1 0 1 0           | screen width must be above 0, got 0",
@@ -356,9 +367,13 @@ class SceneParserTest {
             messages(CAM + SET + "sph 0 0 0 1 1\n"));
     }
 
-    /** What stands in for a refused value must not be refused in its turn: neither a camera at 1 0 0 nor a material 1. */
+    /**
+     * What stands in for a refused value must not be refused in its turn: neither a camera at 1 0 0 nor a material 1, nor
+     * a normal that is zero but for it.
+     */
     @ParameterizedTest
-    @ValueSource(strings = {"cam x 0 0  1 0 0  0 1 0  1 1\n" + SET, CAM + SET + "sph 0 0 0 1 red\n"})
+    @ValueSource(strings = {"cam x 0 0  1 0 0  0 1 0  1 1\n" + SET, CAM + SET + "sph 0 0 0 1 red\n",
+        HEAD + "pln x 0 0 1 1\n"})
     void aMistakeIsReportedOnce(String text) {
         assertEquals(1, messages(text).size());
     }
@@ -369,6 +384,20 @@ class SceneParserTest {
         assertEquals(21, messages.size());
         assertEquals("test.txt:23: sph: radius must be above 0, got 0", messages.get(19));
         assertEquals("test.txt: and 13 more", messages.get(20));
+    }
+
+    @Test
+    void nothingIsCountedBehindTwentyErrors() {
+        List<String> messages = messages(HEAD + String.join("\n", Collections.nCopies(20, "sph 0 0 0 0 1")));
+        assertEquals(20, messages.size());
+        assertEquals("test.txt:23: sph: radius must be above 0, got 0", messages.get(19));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"40, ''", "41, ..."})
+    void fortyCharactersAreQuotedAndDotsStandForMore(int length, String dots) {
+        assertEquals(List.of("test.txt:4: " + "x".repeat(40) + dots
+            + ": unknown code, expected cam, set, mtl, sph, pln, box or lgt"), messages(HEAD + "x".repeat(length) + "\n"));
     }
 
     @Test
