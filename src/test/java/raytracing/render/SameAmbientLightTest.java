@@ -15,6 +15,7 @@ import raytracing.color.Color;
 import raytracing.compiled.Shortcut;
 import raytracing.film.Film;
 import raytracing.scene.Scene;
+import raytracing.shade.AmbientLight;
 
 /** The estimate depends on the scene, the picture's shape and the seed, and on nothing else. */
 class SameAmbientLightTest {
