@@ -62,6 +62,18 @@ class AmbientLookupTest {
         assertEquals(9, lookup(List.of(place(0, 0, 0.5)), 9).at(at(1000, 0, UP)).red(), 1e-12);
     }
 
+    /** 10 from the place, whose light counts as far as 6, and for want of others as far as 18. */
+    @Test
+    void whereNoPlaceIsNearTheNearestStandsIn() {
+        assertEquals(0.5, lookup(List.of(place(0, 0, 0.5)), 9).at(at(10, 0, UP)).red(), 0.05);
+    }
+
+    @Test
+    void lightKnowsAtHowManyPlacesItWasGathered() {
+        assertEquals(3, AmbientLight.between(scattered(3, 1), Color.BLACK, Color.BLACK).placeCount());
+        assertEquals(0, AmbientLight.even(Color.WHITE).placeCount());
+    }
+
     /** A wall does not ask the floor. */
     @Test
     void aSurfaceThatIsTurnedAwayDoesNotCount() {
@@ -111,6 +123,14 @@ class AmbientLookupTest {
         assertEquals(2, narrow.radius());
         assertEquals(3.5, medium.radius(), 1e-15);
         assertEquals(6, wide.radius());
+    }
+
+    @Test
+    void placesThatLieFurtherApartReachFurther() {
+        Place far = new Place(at(0, 0, UP), 0, 3, 1);
+        assertEquals(6 * 3, far.radius());
+        far.addNearness(1);
+        assertEquals(2 * 3, far.radius());
     }
 
     /** Seen at a cosine of a quarter, places lie four times as far apart in one direction: the root of it is 2. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -257,6 +258,43 @@ class ShaderTest {
             () -> light(ALONG_Z, "set 0.25 0.5 1 1 10", balls.toString()));
         assertEquals(2 * found.red(), found.green(), 1e-9 * found.green());
         assertTrue(found.red() > 0.25 * 20);
+    }
+
+    /**
+     * One ray passes more balls than a pixel may meet, and each mirrors half of what comes from the front. None of the
+     * mirrored rays is followed: for each stands half of the background.
+     */
+    @Test
+    void theBackgroundStandsForEveryRayThatIsLeftOut() {
+        int count = Shader.MOST_SURFACES + 4;
+        StringBuilder balls = new StringBuilder("mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 1\n");
+        for (int i = 1; i <= count; i++) {
+            balls.append("sph 0 0 ").append(4 * i).append(" 1 1\n");
+        }
+        Color found = light(ALONG_Z, "set 0.25 0.5 1 1 10", balls.toString());
+        assertColor(0.25 * (1 + count / 2.0), 0.5 * (1 + count / 2.0), 1 + count / 2.0, found);
+    }
+
+    @Test
+    void aShaderForgetsTheRayBefore() {
+        Scene scene = SceneText.scene(CAM, SET, "mtl 0.5 0.5 0.5  0 0 0  0.5 0.5 0.5  1 0.5", "sph 0 0 0 1 1",
+            "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
+        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
+        Color first = shader.light(ALONG_Z, 1).total();
+        assertEquals(first, shader.light(ALONG_Z, 1).total());
+    }
+
+    /** A lamp far away in the plane, as nearly as doubles can say so, is above or below it by their rounding alone. */
+    @Test
+    void aLampInThePlaneOfASurfaceDoesNotShineOnIt() {
+        SplittableRandom random = new SplittableRandom(51);
+        for (int i = 0; i < 200; i++) {
+            double x = random.nextDouble(-1e6, 1e6);
+            double y = random.nextDouble(-1e6, 1e6);
+            Color found = light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  0 0", "pln 0.1 0.2 0.3  0.07 1",
+                "lgt " + x + " " + y + " " + (0.07 - 0.1 * x - 0.2 * y) / 0.3 + WHITE_LIGHT + "1 0 0");
+            assertEquals(Color.BLACK, found);
+        }
     }
 
     private static Color lightInAmbientLight(Color ambientLight, String... lines) {

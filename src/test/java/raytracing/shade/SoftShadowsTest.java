@@ -166,4 +166,53 @@ class SoftShadowsTest {
         }
         return Math.sqrt(squares / keys - sum / keys * (sum / keys));
     }
+
+    private static double share(ShadowMethod method, double width, String... surfaces) {
+        Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces) + "\nlgt 0 10 0 1 1 1 1 1 " + width);
+        CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        return SoftShadows.of(compiled, method, 1, 1).arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, 1);
+    }
+
+    @Test
+    void whoNamesARootHasAsManyRaysWhateverTheSceneSays() {
+        double rays = 9 * share(ShadowMethod.Sampled.withRoot(3), 2, "sph 0.4 5 0 0.3 1");
+        assertEquals(Math.rint(rays), rays, 1e-12);
+        assertTrue(rays > 0 && rays < 9, rays + " of 9 rays");
+    }
+
+    /** The disc of {@link #theMeanShareBehindABallIsThatOfItsShadowCone}. */
+    @Test
+    void theExactShareBehindABallIsThatOfItsShadowCone() {
+        double disc = 10 * 0.4 / Math.sqrt(25 - 0.16);
+        assertEquals(1 - Math.PI * disc * disc / 4, share(new ShadowMethod.Exact(), 2, "sph 0 5 0 0.4 1"), 1e-12);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-30})
+    void aLightWithoutWidthThatDoublesCouldTellCastsHardShadowsExactly(double width) {
+        assertEquals(1, share(new ShadowMethod.Exact(), width, "sph 0.2 5 0 0.19 1"));
+        assertEquals(0, share(new ShadowMethod.Exact(), width, "sph 0.2 5 0 0.21 1"));
+    }
+
+    @Test
+    void behindAGlassWallTheExactShareIsItsTransparency() {
+        assertEquals(0.5, share(new ShadowMethod.Exact(), 2, "pln 0 1 0 5 2"));
+    }
+
+    /**
+     * 169 small balls half way, none behind another: more than exact shadows take on, so 16 x 16 rays are sent. Each ball
+     * hides about the disc of its shadow cone, all together a fifth; five standard deviations of 256 rays are an eighth.
+     */
+    @Test
+    void behindACrowdShadowRaysTakeOverFromExactShadows() {
+        StringBuilder crowd = new StringBuilder();
+        for (int i = -6; i <= 6; i++) {
+            for (int k = -6; k <= 6; k++) {
+                crowd.append("sph ").append(i / 13.0).append(" 5 ").append(k / 13.0).append(" 0.02 1\n");
+            }
+        }
+        double share = share(new ShadowMethod.Exact(), 2, crowd.toString());
+        assertEquals(Math.rint(256 * share), 256 * share, 1e-12);
+        assertEquals(1 - 169 * Math.PI * 0.04 * 0.04 / 4, share, 0.125);
+    }
 }
