@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -24,10 +25,16 @@ record Program(int status, String output, String errors) {
 
     static Program run(Path javaHome, List<String> javaOptions, Path folder, String... arguments)
             throws IOException, InterruptedException {
+        return run(javaHome, javaOptions, Map.of(), folder, arguments);
+    }
+
+    /** Of the environment, some variables have other values, or none where the value is empty. */
+    static Program run(Path javaHome, List<String> javaOptions, Map<String, String> environment, Path folder,
+                       String... arguments) throws IOException, InterruptedException {
         Path output = Files.createTempFile("output", "");
         Path errors = Files.createTempFile("errors", "");
         try {
-            Process process = start(javaHome, javaOptions, folder, output, errors, arguments);
+            Process process = start(List.of(), javaHome, javaOptions, environment, folder, output, errors, arguments);
             if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {
                 process.destroyForcibly();
                 throw new AssertionError("still running after " + MINUTES + " minutes");
@@ -41,12 +48,15 @@ record Program(int status, String output, String errors) {
 
     static Process start(Path javaHome, List<String> javaOptions, Path folder, Path output, Path errors,
                          String... arguments) throws IOException {
-        return start(List.of(), javaHome, javaOptions, folder, output, errors, arguments);
+        return start(List.of(), javaHome, javaOptions, Map.of(), folder, output, errors, arguments);
     }
 
-    /** Starts it through another command, which takes it as its last words. */
-    static Process start(List<String> through, Path javaHome, List<String> javaOptions, Path folder, Path output,
-                         Path errors, String... arguments) throws IOException {
+    /**
+     * Starts it through another command, which takes it as its last words, if that has some words; of the environment,
+     * some variables have other values, or none where the value is empty.
+     */
+    static Process start(List<String> through, Path javaHome, List<String> javaOptions, Map<String, String> environment,
+                         Path folder, Path output, Path errors, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(through);
         command.add(javaHome.resolve("bin/java").toString());
         command.addAll(javaOptions);
@@ -54,6 +64,8 @@ record Program(int status, String output, String errors) {
         command.addAll(List.of(arguments));
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile())
             .redirectOutput(output.toFile()).redirectError(errors.toFile());
+        environment.forEach(builder.environment()::put);
+        builder.environment().values().removeIf(String::isEmpty);
         builder.environment().remove("JAVA_TOOL_OPTIONS");   // announces itself on standard error
         return builder.start();
     }

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -45,7 +46,7 @@ class StoppedProgramTest {
 
     private Process start(List<String> prefix, String... arguments) throws IOException {
         Path log = folder.resolve("log");
-        return Program.start(prefix, Path.of(System.getProperty("java.home")), List.of(), folder, log, log, arguments);
+        return Program.start(prefix, Path.of(System.getProperty("java.home")), List.of(), Map.of(), folder, log, log, arguments);
     }
 
     private List<String> files() throws IOException {

@@ -219,6 +219,16 @@ public final class Film {
         return encoded(light[i]) << 16 | encoded(light[i + 1]) << 8 | encoded(light[i + 2]);
     }
 
+    /**
+     * What a picture would show of some light.
+     *
+     * @param light linear
+     * @return 8 bits each of red, green and blue, the last lowest
+     */
+    public static int encoded(Color light) {
+        return encoded(light.red()) << 16 | encoded(light.green()) << 8 | encoded(light.blue());
+    }
+
     private static int encoded(double channel) {
         if (channel <= 0) {
             return 0;

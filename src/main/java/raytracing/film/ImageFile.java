@@ -77,8 +77,10 @@ public final class ImageFile {
      * Begins to load what {@link #write} will need, beside whatever is done until then: in a cold virtual machine that
      * takes some 90 ms, most of what writing a small picture takes. Writes nothing. What fails here fails again when the
      * picture is written, and is reported then.
+     *
+     * @return the thread, for those who must not meet Java's picture classes at the same time
      */
-    public void prepare() {
+    public Thread prepare() {
         Thread thread = new Thread("encoder") {
             @Override
             public void run() {
@@ -91,6 +93,7 @@ public final class ImageFile {
         };
         thread.setDaemon(true);
         thread.start();
+        return thread;
     }
 
     /**

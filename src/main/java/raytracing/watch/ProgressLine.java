@@ -1,6 +1,7 @@
 package raytracing.watch;
 
 import java.io.PrintStream;
+import java.util.OptionalDouble;
 import raytracing.render.Drawing;
 
 /**
@@ -13,9 +14,6 @@ public final class ProgressLine {
     private static final long NEXT_MILLISECONDS = 200;
     private static final double NANO = 1e-9;
 
-    /** A share below this says nothing about the rest. */
-    private static final double LEAST_SHARE = 0.01;
-
     /** So much of a name fits into a line of 80 with the rest. */
     private static final int LONGEST_NAME = 40;
 
@@ -23,8 +21,7 @@ public final class ProgressLine {
     private final String name;
     private final Drawing drawing;
     private final long start;
-    private final long drawingStart = System.nanoTime();
-    private double shareShown;
+    private final Pace pace = new Pace(System.nanoTime());
     private int lengthShown;
     private boolean ended;
 
@@ -83,12 +80,11 @@ public final class ProgressLine {
         lengthShown = text.length();
     }
 
-    /** What the line says; the share never falls, though smooth edges make it an estimate. */
     private String text(double share, long now) {
-        shareShown = Math.max(shareShown, share);
-        double left = (now - drawingStart) * (1 - shareShown) / shareShown;
-        return name + "  " + (int) (100 * shareShown) + " %  " + Clock.text((now - start) * NANO) + " elapsed"
-            + (shareShown < LEAST_SHARE ? "" : "  " + Clock.text(left * NANO) + " left");
+        pace.advance(share, now);
+        OptionalDouble left = pace.secondsLeft();
+        return name + "  " + pace.percent() + " %  " + Clock.text((now - start) * NANO) + " elapsed"
+            + (left.isEmpty() ? "" : "  " + Clock.text(left.getAsDouble()) + " left");
     }
 
     /** Takes the line away; what is written then begins where it was. */

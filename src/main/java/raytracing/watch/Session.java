@@ -55,11 +55,11 @@ public final class Session {
         if (obstacle.isPresent()) {
             throw new RayTracerException(command.output() + ": " + obstacle.get());
         }
-        file.prepare();
+        Thread encoder = file.prepare();
         Scene scene = SceneParser.parseFile(command.scene());
         parsingNanoseconds = System.nanoTime() - start;
-        Optional<Preview> preview = command.wants(Extra.PREVIEW)
-            ? Preview.open(command.output().toString(), command.settings().region(), cancellation) : Optional.empty();
+        Optional<Preview> preview = command.wants(Extra.PREVIEW) ? Preview.open(command.output().toString(),
+            command.settings().region(), cancellation, encoder) : Optional.empty();
         Interruption interruption = Interruption.install(cancellation);
         Outcome outcome;
         try {
@@ -79,7 +79,7 @@ public final class Session {
             ? Cancellation.Leftovers.KEEP : Cancellation.Leftovers.DISCARD,
             preview.isPresent() ? preview.get() : DrawingListener.NONE);
         if (preview.isPresent()) {
-            preview.get().follow(drawing, start);
+            preview.get().follow(drawing);
         }
         long writing = System.nanoTime();
         boolean isWritten = isWritten(drawing);

@@ -1,0 +1,199 @@
+package raytracing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Scanner;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The window, on a virtual screen, and where there is none. */
+@Timeout(value = 3, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class PreviewTest {
+    /** No two neighbours alike: shadows and highlights everywhere. */
+    private static final String SCENE = """
+        cam 0 6 -8   0 0 0   0 1 0   1 1
+        set 0.2 0.3 0.4   8 4
+        mtl 0.8 0.7 0.6   0.3 0.3 0.3   0 0 0   20 0
+        mtl 0.8 0.3 0.2   0.3 0.3 0.3   0 0 0   20 0
+        pln 0 1 0  -1  1
+        sph 0 0 0    1  2
+        sph 2 0 1    1  2
+        sph -2 0 1   1  2
+        sph 1 1.5 1  1  2
+        lgt 3 7 -3   1 1 1   1 1 6
+        """;
+
+    private static final long PATIENCE_SECONDS = 60;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void writeScene() throws Exception {
+        Files.writeString(folder.resolve("scene.txt"), SCENE);
+    }
+
+    private VirtualScreen screen() throws Exception {
+        boolean hasWindows = Files.exists(Path.of(System.getProperty("java.home"), "lib", "libawt_xawt.so"));
+        if (!VirtualScreen.isInstalled() || !hasWindows) {
+            System.err.println("SKIPPED: no window is tested without " + (hasWindows ? "Xvfb" : "a Java that has windows"));
+        }
+        assumeTrue(VirtualScreen.isInstalled(), "Xvfb is not installed");
+        assumeTrue(hasWindows, "this Java has no windows");
+        return VirtualScreen.start(Files.createDirectory(folder.resolve("screen")));
+    }
+
+    private WatchedProgram start(VirtualScreen screen, String arguments) throws Exception {
+        return WatchedProgram.start(screen, List.of(), folder, arguments.split(" "));
+    }
+
+    private BufferedImage picture(String name) throws Exception {
+        return ImageIO.read(folder.resolve(name).toFile());
+    }
+
+    /** Where the window shows the picture, on the screen. */
+    private static Rectangle view(WatchedProgram program) throws Exception {
+        Scanner numbers = new Scanner(program.tell("view"));
+        return new Rectangle(numbers.nextInt(), numbers.nextInt(), numbers.nextInt(), numbers.nextInt());
+    }
+
+    /** Whether a part of a picture is on the screen, each pixel a square. */
+    private static boolean shows(BufferedImage screen, Rectangle part, int scale, BufferedImage picture, int left, int top) {
+        for (int y = 0; y < part.height; y++) {
+            for (int x = 0; x < part.width; x++) {
+                if ((screen.getRGB(part.x + x, part.y + y) ^ picture.getRGB(left + x / scale, top + y / scale)) << 8 != 0) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private void awaitPicture(VirtualScreen screen, Rectangle part, int scale, BufferedImage picture, int left, int top)
+            throws Exception {
+        Patience.await("picture on the screen", PATIENCE_SECONDS,
+            () -> shows(screen.screenshot(), part, scale, picture, left, top));
+    }
+
+    @Test
+    void theWindowShowsTheRegionPixelForPixelUntilItIsClosed() throws Exception {
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 640 480 --region 100,50,400,300 --preview")) {
+            Rectangle view = view(program);
+            assertEquals(400, view.width);
+            assertEquals(300, view.height);
+            Patience.await("end of the drawing", PATIENCE_SECONDS,
+                () -> program.tell("title").matches("out\\.png: 400 x 300 pixels at 100, 50 of 640 x 480 in \\d+ m?s"));
+            BufferedImage picture = picture("out.png");
+            awaitPicture(screen, view, 1, picture, 0, 0);
+            program.tell("point " + (view.x + 120) + " " + (view.y + 80));
+            for (int scale = 2; scale <= 16; scale *= 2) {
+                program.tell("wheel -1");
+            }
+            int sixteen = 16;
+            Rectangle around = new Rectangle(view.x + 120 - 3 * sixteen, view.y + 80 - 2 * sixteen, 10 * sixteen, 8 * sixteen);
+            awaitPicture(screen, around, sixteen, picture, 120 - 3, 80 - 2);
+            program.tell("grip");
+            program.tell("point " + (view.x + 120 + 5 * sixteen) + " " + (view.y + 80 + sixteen));
+            program.tell("release");
+            awaitPicture(screen, around, sixteen, picture, 120 - 8, 80 - 3);
+            program.tell("type 0");
+            awaitPicture(screen, view, 1, picture, 0, 0);
+            assertTrue(program.isRunning());
+            program.tell("escape");
+            assertEquals(0, program.await());
+        }
+    }
+
+    @Test
+    void oneToOneIsSoOnFineScreensToo() throws Exception {
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = WatchedProgram.start(screen, List.of("-Dsun.java2d.uiScale=2"), folder,
+                 "scene.txt", "out.png", "800", "600", "--shadow-rays", "1", "--preview")) {
+            Rectangle view = view(program);
+            assertEquals(400, view.width);
+            Rectangle onScreen = new Rectangle(2 * view.x, 2 * view.y, 800, 600);
+            Patience.await("end of the drawing", PATIENCE_SECONDS, () -> Files.exists(folder.resolve("out.png")));
+            awaitPicture(screen, onScreen, 1, picture("out.png"), 0, 0);
+            program.tell("close");
+            assertEquals(0, program.await());
+        }
+    }
+
+    /** Edges of the squares are 16 or 4 pixels. */
+    @Test
+    void aSlowPictureIsCoarseAtFirstAndEscapeLeavesTheOlderFile() throws Exception {
+        Files.writeString(folder.resolve("out.png"), "older");
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 320 240 --shadow-rays 512 --preview")) {
+            Rectangle view = view(program);
+            Patience.await("coarse look", PATIENCE_SECONDS, () -> isCoarse(screen.screenshot(), view));
+            assertTrue(program.tell("title").matches("out\\.png - \\d+ %.*"), program.tell("title"));
+            program.tell("escape");
+            assertEquals(130, program.await());
+            assertTrue(program.errors().matches("(?s).*out\\.png: stopped at \\d+ %, the file is as it was\\R"), program.errors());
+        }
+        assertEquals("older", Files.readString(folder.resolve("out.png")));
+    }
+
+    /** Most squares of 4 x 4 pixels are even, and there are many colours: no picture of this scene is like that. */
+    private static boolean isCoarse(BufferedImage screen, Rectangle view) {
+        int edge = 4;
+        int even = 0;
+        Set<Integer> colours = new HashSet<>();
+        for (int y = 0; y < view.height; y += edge) {
+            for (int x = 0; x < view.width; x += edge) {
+                Set<Integer> inSquare = new HashSet<>();
+                for (int i = 0; i < edge * edge; i++) {
+                    inSquare.add(screen.getRGB(view.x + x + i % edge, view.y + y + i / edge));
+                }
+                even += inSquare.size() == 1 ? 1 : 0;
+                colours.addAll(inSquare);
+            }
+        }
+        return colours.size() > 100 && edge * edge * even > 0.7 * view.width * view.height;
+    }
+
+    @Test
+    void aClosedWindowTakesNothingFromThePicture() throws Exception {
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 400 300 --shadow-rays 64 --preview")) {
+            assertTrue(program.tell("title").startsWith("out.png"));
+            program.tell("close");
+            assertFalse(Files.exists(folder.resolve("out.png")), "the picture was there before the window was closed");
+            assertEquals(0, program.await(), program.errors());
+            assertTrue(program.errors().matches(".*\\Rout\\.png: 400 x 300 pixels in \\d+ m?s\\R"), program.errors());
+        }
+        Program.run(folder, "scene.txt", "unwatched.png", "400", "300", "--shadow-rays", "64");
+        assertEquals(-1, Files.mismatch(folder.resolve("unwatched.png"), folder.resolve("out.png")));
+    }
+
+    @ParameterizedTest(name = "DISPLAY={0}, headless={1}")
+    @CsvSource({"'', false", ":987, false", "nowhere, false", ":987, true"})
+    void withoutADisplayASentenceComesAndThePictureToo(String display, boolean isHeadless) throws Exception {
+        Program program = Program.run(Path.of(System.getProperty("java.home")),
+            isHeadless ? List.of("-Djava.awt.headless=true") : List.of(), Map.of("DISPLAY", display), folder,
+            "scene.txt", "out.png", "40", "30", "--preview", "--quiet");
+        assertEquals("--preview: no display to open a window on; drawing goes on without it" + System.lineSeparator(),
+            program.errors());
+        assertEquals(0, program.status());
+        assertEquals(40, picture("out.png").getWidth());
+    }
+}

@@ -1,0 +1,77 @@
+package raytracing;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** A screen that nobody sees: an X server that keeps its pixels in a file, which is read instead of taking a screenshot. */
+final class VirtualScreen implements AutoCloseable {
+    private static final long PATIENCE_SECONDS = 30;
+
+    /** Places of numbers in the header of an X window dump, all with the highest byte first. */
+    private static final int HEADER_SIZE = 0;
+    private static final int WIDTH = 16;
+    private static final int HEIGHT = 20;
+    private static final int BYTES_IN_A_LINE = 48;
+    private static final int COLOURS = 76;
+    private static final int BYTES_IN_A_COLOUR = 12;
+
+    private final Process server;
+    private final Path pixels;
+    private final String name;
+
+    private VirtualScreen(Process server, Path pixels, String name) {
+        this.server = server;
+        this.pixels = pixels;
+        this.name = name;
+    }
+
+    /** Whether there can be one. */
+    static boolean isInstalled() {
+        return List.of(System.getenv("PATH").split(":")).stream().anyMatch(folder -> Files.isExecutable(Path.of(folder, "Xvfb")));
+    }
+
+    /** On a display that is free, with its files in a folder. */
+    static VirtualScreen start(Path folder) throws IOException, InterruptedException {
+        Path number = folder.resolve("display");
+        Process server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nocursor",
+            "-nolisten", "tcp",
+            "-fbdir", folder.toString()).redirectOutput(number.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        try {
+            Patience.await("a virtual screen", PATIENCE_SECONDS, () -> Files.readString(number).endsWith("\n"));
+            return new VirtualScreen(server, folder.resolve("Xvfb_screen0"), ":" + Files.readString(number).strip());
+        } catch (IOException | InterruptedException | AssertionError failure) {
+            server.destroyForcibly();
+            throw failure;
+        }
+    }
+
+    /** Its value for DISPLAY. */
+    String name() {
+        return name;
+    }
+
+    /** What is on it now. */
+    BufferedImage screenshot() throws IOException {
+        ByteBuffer dump = ByteBuffer.wrap(Files.readAllBytes(pixels));
+        int start = dump.getInt(HEADER_SIZE) + BYTES_IN_A_COLOUR * dump.getInt(COLOURS);
+        BufferedImage image = new BufferedImage(dump.getInt(WIDTH), dump.getInt(HEIGHT), BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                image.setRGB(x, y, Integer.reverseBytes(dump.getInt(start + y * dump.getInt(BYTES_IN_A_LINE) + 4 * x)));
+            }
+        }
+        return image;
+    }
+
+    @Override
+    public void close() {
+        server.destroy();
+        server.onExit().completeOnTimeout(server, PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+        server.destroyForcibly();
+    }
+}
