@@ -85,7 +85,10 @@ final class CarefulBox {
         }
     }
 
-    /** {@link BoxKernel#firstCrossing}, for the rays that it leaves open. */
+    /**
+     * {@link BoxKernel#firstCrossing}, for the rays that it leaves open. Where sizes near the ends of the range are the
+     * reason, it is asked again about the same in an ordinary size, where doubles answer most.
+     */
     static double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz,
                                 double originError, double cx, double cy, double cz, double half) {
         Vector origin = new Vector(ox, oy, oz);
@@ -93,14 +96,15 @@ final class CarefulBox {
         Vector centre = new Vector(cx, cy, cz);
         int length = Scaling.exponent(half, origin, centre);
         int step = Scaling.exponent(0, direction);
+        if (length == 0 && step == 0) {
+            return firstCrossing(slab(ox, dx, originError, cx, half), slab(oy, dy, originError, cy, half),
+                slab(oz, dz, originError, cz, half));
+        }
         Vector o = Scaling.down(origin, length);
         Vector d = Scaling.down(direction, step);
         Vector c = Scaling.down(centre, length);
-        double error = Scaling.down(originError, length);
-        double h = Scaling.down(half, length);
-        double crossing = firstCrossing(slab(o.x(), d.x(), error, c.x(), h), slab(o.y(), d.y(), error, c.y(), h),
-            slab(o.z(), d.z(), error, c.z(), h));
-        return Scaling.upPositive(crossing, length - step);
+        return Scaling.upPositive(BoxKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(),
+            Scaling.down(originError, length), c.x(), c.y(), c.z(), Scaling.down(half, length)), length - step);
     }
 
     private static Slab slab(double o, double d, double error, double c, double h) {
@@ -150,7 +154,7 @@ final class CarefulBox {
         return slab.wayToNear().sign() > 0 || slab.wayToFar().sign() < 0;
     }
 
-    /** {@link BoxKernel#crossesBetween}, for the lines that it leaves open. */
+    /** {@link BoxKernel#crossesBetween}, for the lines that it leaves open, and again for those in an ordinary size. */
     static boolean crossesBetween(double px, double py, double pz, double pointError,
                                   double qx, double qy, double qz, double endError,
                                   double cx, double cy, double cz, double half) {
@@ -158,13 +162,15 @@ final class CarefulBox {
         Vector end = new Vector(qx, qy, qz);
         Vector centre = new Vector(cx, cy, cz);
         int length = Scaling.exponent(half, point, end, centre);
+        if (length == 0) {
+            Line line = new Line(pointError, endError, half);
+            return line.meets(px, qx, cx) && line.meets(py, qy, cy) && line.meets(pz, qz, cz) && line.crosses();
+        }
         Vector p = Scaling.down(point, length);
         Vector q = Scaling.down(end, length);
         Vector c = Scaling.down(centre, length);
-        Line line = new Line(Scaling.down(pointError, length), Scaling.down(endError, length),
-            Scaling.down(half, length));
-        return line.meets(p.x(), q.x(), c.x()) && line.meets(p.y(), q.y(), c.y()) && line.meets(p.z(), q.z(), c.z())
-            && line.crosses();
+        return BoxKernel.crossesBetween(p.x(), p.y(), p.z(), Scaling.down(pointError, length), q.x(), q.y(), q.z(),
+            Scaling.down(endError, length), c.x(), c.y(), c.z(), Scaling.down(half, length));
     }
 
     /** The line between two points, judged axis by axis. */

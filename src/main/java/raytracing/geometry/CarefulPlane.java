@@ -19,7 +19,10 @@ final class CarefulPlane {
     private CarefulPlane() {
     }
 
-    /** {@link PlaneKernel#firstCrossing}, for the rays that it leaves open. */
+    /**
+     * {@link PlaneKernel#firstCrossing}, for the rays that it leaves open. Where sizes near the ends of the range are the
+     * reason, it is asked again about the same in an ordinary size, where doubles answer most.
+     */
     static double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz,
                                 double originError, double nx, double ny, double nz, double offset) {
         Vector origin = new Vector(ox, oy, oz);
@@ -28,14 +31,21 @@ final class CarefulPlane {
         int slope = Scaling.exponent(0, normal);
         int length = lengthExponent(origin, slope, offset);
         int step = Scaling.exponent(0, direction);
-        Vector n = Scaling.down(normal, slope);
-        DoubleDouble gap = gap(Scaling.down(origin, length), Scaling.down(originError, length), n,
-            Scaling.down(offset, slope + length));
-        DoubleDouble approach = approach(n, Scaling.down(direction, step));
-        if (gap.sign() * approach.sign() <= 0) {
-            return Surface.MISS;
+        if (slope == 0 && length == 0 && step == 0) {
+            return firstCrossing(origin, direction, originError, normal, offset);
         }
-        return Scaling.upPositive(gap.high() / approach.high(), length - step);
+        Vector o = Scaling.down(origin, length);
+        Vector d = Scaling.down(direction, step);
+        Vector n = Scaling.down(normal, slope);
+        return Scaling.upPositive(PlaneKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(),
+            Scaling.down(originError, length), n.x(), n.y(), n.z(), Scaling.down(offset, slope + length)), length - step);
+    }
+
+    private static double firstCrossing(Vector origin, Vector direction, double originError, Vector normal,
+                                        double offset) {
+        DoubleDouble gap = gap(origin, originError, normal, offset);
+        DoubleDouble approach = approach(normal, direction);
+        return gap.sign() * approach.sign() > 0 ? gap.high() / approach.high() : Surface.MISS;
     }
 
     /** {@link PlaneKernel#crossesBetween}, for the lines that it leaves open. */

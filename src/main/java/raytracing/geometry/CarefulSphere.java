@@ -24,15 +24,18 @@ final class CarefulSphere {
     private final double radius;
     private final DoubleDoubleVector f;
 
-    /** With all lengths scaled down by an exponent. */
-    private CarefulSphere(Vector origin, Vector centre, double radius, int exponent) {
-        this.origin = Scaling.down(origin, exponent);
-        this.centre = Scaling.down(centre, exponent);
-        this.radius = Scaling.down(radius, exponent);
+    /** With lengths that need no scaling. */
+    private CarefulSphere(Vector origin, Vector centre, double radius) {
+        this.origin = origin;
+        this.centre = centre;
+        this.radius = radius;
         f = DoubleDoubleVector.between(this.centre, this.origin);
     }
 
-    /** {@link SphereKernel#firstCrossing}, for the rays that it leaves open. */
+    /**
+     * {@link SphereKernel#firstCrossing}, for the rays that it leaves open. Where sizes near the ends of the range are the
+     * reason, it is asked again about the same in an ordinary size, where doubles answer most.
+     */
     static double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz,
                                 double originError, double cx, double cy, double cz, double radius) {
         Vector origin = new Vector(ox, oy, oz);
@@ -40,9 +43,14 @@ final class CarefulSphere {
         Vector centre = new Vector(cx, cy, cz);
         int length = Scaling.exponent(radius, origin, centre);
         int step = Scaling.exponent(0, direction);
-        CarefulSphere sphere = new CarefulSphere(origin, centre, radius, length);
-        double crossing = sphere.firstCrossing(Scaling.down(direction, step), Scaling.down(originError, length));
-        return Scaling.upPositive(crossing, length - step);
+        if (length == 0 && step == 0) {
+            return new CarefulSphere(origin, centre, radius).firstCrossing(direction, originError);
+        }
+        Vector o = Scaling.down(origin, length);
+        Vector d = Scaling.down(direction, step);
+        Vector c = Scaling.down(centre, length);
+        return Scaling.upPositive(SphereKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(),
+            Scaling.down(originError, length), c.x(), c.y(), c.z(), Scaling.down(radius, length)), length - step);
     }
 
     private double firstCrossing(Vector direction, double originError) {
@@ -77,7 +85,7 @@ final class CarefulSphere {
         return power.over(b.minus(root));
     }
 
-    /** {@link SphereKernel#crossesBetween}, for the lines that it leaves open. */
+    /** {@link SphereKernel#crossesBetween}, for the lines that it leaves open, and again for those in an ordinary size. */
     static boolean crossesBetween(double px, double py, double pz, double pointError,
                                   double qx, double qy, double qz, double endError,
                                   double cx, double cy, double cz, double radius) {
@@ -85,9 +93,14 @@ final class CarefulSphere {
         Vector end = new Vector(qx, qy, qz);
         Vector centre = new Vector(cx, cy, cz);
         int length = Scaling.exponent(radius, point, end, centre);
-        CarefulSphere sphere = new CarefulSphere(point, centre, radius, length);
-        return sphere.crossesBefore(Scaling.down(end, length), Scaling.down(pointError, length),
-            Scaling.down(endError, length));
+        if (length == 0) {
+            return new CarefulSphere(point, centre, radius).crossesBefore(end, pointError, endError);
+        }
+        Vector p = Scaling.down(point, length);
+        Vector q = Scaling.down(end, length);
+        Vector c = Scaling.down(centre, length);
+        return SphereKernel.crossesBetween(p.x(), p.y(), p.z(), Scaling.down(pointError, length), q.x(), q.y(), q.z(),
+            Scaling.down(endError, length), c.x(), c.y(), c.z(), Scaling.down(radius, length));
     }
 
     private boolean crossesBefore(Vector end, double originError, double endError) {
@@ -106,7 +119,12 @@ final class CarefulSphere {
         if (originSide == 0 || endSide == 0) {
             return originSide == 0 ? startsInwards : endsOutwards;
         }
-        return startsInwards && endsOutwards && meetsLine(d, end);
+        if (!(startsInwards && endsOutwards)) {
+            return false;
+        }
+        // the same line from either end, and the less is rounded the nearer that is
+        return g.dot(g).high() < f.dot(f).high() ? new CarefulSphere(end, centre, radius).meetsLine(d, origin)
+            : meetsLine(d, end);
     }
 
     private boolean meetsLine(DoubleDoubleVector d, Vector end) {
@@ -119,7 +137,8 @@ final class CarefulSphere {
     /** How a point lies to a sphere: 1 outside, 0 on it as far as the point is known, -1 inside. */
     static int side(Vector point, double pointError, Vector centre, double radius) {
         int length = Scaling.exponent(radius, point, centre);
-        CarefulSphere sphere = new CarefulSphere(point, centre, radius, length);
+        CarefulSphere sphere = new CarefulSphere(Scaling.down(point, length), Scaling.down(centre, length),
+            Scaling.down(radius, length));
         return sphere.power(sphere.f, sphere.origin, Scaling.down(pointError, length)).sign();
     }
 

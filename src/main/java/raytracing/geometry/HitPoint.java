@@ -16,12 +16,30 @@ public final class HitPoint {
     private double normalZ;
     private Departure side = Departure.ELSEWHERE;
 
-    /** The point, rounded, on the surface as nearly as doubles allow. */
+    /**
+     * The point, rounded, on the surface as nearly as doubles allow. Beyond them all, where a ray nearly along a plane may
+     * meet it, lies the outermost point there is: so rays from there start at a number.
+     */
     void place(double pointX, double pointY, double pointZ, double pointError) {
         x = pointX;
         y = pointY;
         z = pointZ;
         error = pointError;
+        if (!(Math.abs(x) + Math.abs(y) + Math.abs(z) + error < Double.POSITIVE_INFINITY)) {
+            x = finite(x);
+            y = finite(y);
+            z = finite(z);
+            error = finite(error);
+        }
+    }
+
+    private static double finite(double number) {
+        return Math.max(-Double.MAX_VALUE, Math.min(Double.MAX_VALUE, number));
+    }
+
+    /** Brings back to size what was described at a fraction of it. */
+    void enlarge(double factor) {
+        place(factor * x, factor * y, factor * z, factor * error);
     }
 
     /** A unit normal that points out of the body, turned towards where the ray comes from. */

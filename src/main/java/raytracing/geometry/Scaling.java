@@ -25,12 +25,13 @@ final class Scaling {
             largest = Math.max(largest, point.largestPart());
         }
         int exponent = Math.getExponent(largest);
-        return Math.abs(exponent) <= HARMLESS ? 0 : Math.max(-LARGEST, Math.min(LARGEST, exponent));
+        return largest == 0 || Math.abs(exponent) <= HARMLESS ? 0 : Math.max(-LARGEST, Math.min(LARGEST, exponent));
     }
 
-    /** A normal number, for exponents up to {@link #LARGEST} in size. Quicker than the library's way for any exponent. */
-    private static double powerOfTwo(int exponent) {
-        return Double.longBitsToDouble((long) (exponent + Double.MAX_EXPONENT) << DOUBLE_FRACTION_BITS);
+    /** As {@code scalb}, which is for any exponent and slower: where 2^exponent is a normal number, one product will do. */
+    private static double scaled(double value, int exponent) {
+        return Math.abs(exponent) > LARGEST ? Math.scalb(value, exponent)
+            : value * Double.longBitsToDouble((long) (exponent + Double.MAX_EXPONENT) << DOUBLE_FRACTION_BITS);
     }
 
     /** A size scaled; where scaling is needed at all, a size 2^400 times smaller than the largest counts as 0. */
@@ -38,7 +39,7 @@ final class Scaling {
         if (exponent == 0) {
             return value;
         }
-        double scaled = value * powerOfTwo(-exponent);
+        double scaled = scaled(value, -exponent);
         return Math.abs(scaled) < NEGLIGIBLE ? 0 : scaled;
     }
 
@@ -50,6 +51,6 @@ final class Scaling {
     /** A crossing above 0 stays above 0 and finite even where its size leaves the range. */
     static double upPositive(double crossing, int exponent) {
         return crossing == Surface.MISS ? crossing
-            : Math.max(Double.MIN_VALUE, Math.min(Double.MAX_VALUE, Math.scalb(crossing, exponent)));
+            : Math.max(Double.MIN_VALUE, Math.min(Double.MAX_VALUE, scaled(crossing, exponent)));
     }
 }

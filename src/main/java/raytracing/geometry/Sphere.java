@@ -14,6 +14,9 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     /** Far above the 4 ulp of a distance. */
     private static final double ROUNDING = 0x1p-48;
 
+    /** Three numbers that are doubles add up to one at this fraction of their size. */
+    private static final double FRACTION = 0x1p-4;
+
     @Override
     public double firstCrossing(Ray ray, Departure departure) {
         return switch (departure) {
@@ -72,6 +75,10 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
         double fx = ox - centre.x() + distance * dx;
         double fy = oy - centre.y() + distance * dy;
         double fz = oz - centre.z() + distance * dz;
+        if (!(Math.abs(fx) + Math.abs(fy) + Math.abs(fz) < MISS)) {
+            describeAtAFraction(ox, oy, oz, dx, dy, dz, distance, found);
+            return;
+        }
         boolean isNearest = fx == 0 && fy == 0 && fz == 0;
         double gx = isNearest ? -dx : fx;
         double gy = isNearest ? -dy : fy;
@@ -90,6 +97,14 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
             found.place(ox + distance * dx, oy + distance * dy, oz + distance * dz, error);
         }
         found.turn(nx, ny, nz, dx, dy, dz);
+    }
+
+    /** The same for sums beyond all doubles, which are within them in a world a sixteenth as large. */
+    private void describeAtAFraction(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+                                     HitPoint found) {
+        new Sphere(centre.times(FRACTION), FRACTION * radius, material).describe(
+            FRACTION * ox, FRACTION * oy, FRACTION * oz, dx, dy, dz, FRACTION * distance, found);
+        found.enlarge(1 / FRACTION);
     }
 
     @Override

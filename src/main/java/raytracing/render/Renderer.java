@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import raytracing.color.Color;
 import raytracing.compiled.CompiledScene;
+import raytracing.compiled.OrdinaryLengths;
 import raytracing.compiled.PixelRays;
 import raytracing.compiled.Shortcut;
 import raytracing.film.Film;
@@ -46,14 +47,15 @@ public final class Renderer {
      * @param shortcuts work to be skipped, which changes no bit of the picture
      */
     public Renderer(Scene scene, RenderSettings settings, Set<Shortcut> shortcuts) {
-        this.scene = scene;
+        this.scene = OrdinaryLengths.of(scene);
         this.settings = settings;
-        pixelRays = new PixelRays(scene.camera(), settings.width(), settings.height());
+        pixelRays = new PixelRays(this.scene.camera(), settings.width(), settings.height());
         ThreadWorkers workers = new ThreadWorkers(settings.threads());
         long start = System.nanoTime();
-        compiled = new CompiledScene(scene, settings.shadowMode(), shortcuts, workers);
+        compiled = new CompiledScene(this.scene, settings.shadowMode(), shortcuts, workers);
         long isCompiled = System.nanoTime();
-        ambientLight = AmbientEstimate.of(scene, compiled, settings.width(), settings.height(), settings.seed(), workers);
+        ambientLight =
+            AmbientEstimate.of(this.scene, compiled, settings.width(), settings.height(), settings.seed(), workers);
         compilingNanoseconds = isCompiled - start;
         ambientNanoseconds = System.nanoTime() - isCompiled;
     }

@@ -144,8 +144,9 @@ public final class AmbientEstimate {
             ratio(deep.blue() + beyond.blue() * series(last.blue(), arriving.blue(), beyond.blue()), onward.blue()));
     }
 
+    /** Finite, so that 0 times it is 0. */
     private static double ratio(double sum, double weight) {
-        return weight > 0 ? sum / weight : 0;
+        return weight > 0 ? Math.min(sum / weight, Double.MAX_VALUE) : 0;
     }
 
     /**
@@ -156,7 +157,7 @@ public final class AmbientEstimate {
      * @param arriving sum of these weights
      * @param beyond sum of the weights of what they send on
      */
-    private static double series(double light, double arriving, double beyond) {
+    static double series(double light, double arriving, double beyond) {
         return ratio(light, Math.max(arriving - beyond, (1 - PathVertex.MOST_REFLECTANCE) * arriving));
     }
 

@@ -1,6 +1,7 @@
 package raytracing.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,6 +39,14 @@ class PlaneTest {
     @Test
     void theNormalIsUnitAndAsWritten() {
         assertEquals(new Vector(0, 1, 0), OutwardNormal.of(LEVEL, new Ray(new Vector(0, 0, 0), new Vector(0, 1, 0)), 2));
+    }
+
+    @Test
+    void aHitBeyondAllDoublesIsTheOutermostPointThereIs() {
+        Hit hit = LEVEL.hit(new Ray(new Vector(1.7e308, 5, 0), new Vector(0.8, -0.6, 0)), Double.MAX_VALUE, 0);
+        assertEquals(Double.MAX_VALUE, hit.point().x());
+        assertEquals(new Vector(0, 1, 0), hit.normal());
+        assertTrue(hit.pointError() < Double.POSITIVE_INFINITY);
     }
 
     @Test

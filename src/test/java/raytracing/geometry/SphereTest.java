@@ -15,6 +15,18 @@ import raytracing.math.Vector;
 class SphereTest {
     private static final Sphere UNIT = new Sphere(Vector.ZERO, 1, 0);
 
+    /** The way from the centre, (4e307, -2.3e308), is no double in length: it points along (4, -23). */
+    @Test
+    void aHitHasItsNormalAlsoWhereSumsAreBeyondAllDoubles() {
+        Sphere sphere = new Sphere(new Vector(0, 1e267, 0), 1, 0);
+        Ray ray = new Ray(new Vector(1.2e308, -1.7e308, 0), new Vector(-0.8, -0.6, 0));
+        Hit hit = sphere.hit(ray, 1e308, 0);
+        assertEquals(-4 / Math.sqrt(4 * 4 + 23 * 23), hit.normal().x(), 1e-15);
+        assertEquals(23 / Math.sqrt(4 * 4 + 23 * 23), hit.normal().y(), 1e-15);
+        assertEquals(1e267, hit.point().y());
+        assertTrue(hit.pointError() < Double.POSITIVE_INFINITY);
+    }
+
     @ParameterizedTest(name = "{0}")
     @CsvSource({
         "through the middle,                  0,   -5,         4",

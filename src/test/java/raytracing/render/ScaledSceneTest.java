@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.CommittedScenesTest;
 import raytracing.RayTracer;
+import raytracing.film.Film;
 import raytracing.geometry.Box;
 import raytracing.geometry.Plane;
 import raytracing.geometry.Sphere;
@@ -32,6 +33,17 @@ class ScaledSceneTest {
         Scene scene = RayTracer.parseScene(file);
         RendererTest.assertSamePixels(new Renderer(scene, SMALL).render(),
             new Renderer(scaled(scene, scale), SMALL).render());
+    }
+
+    /** So small that squares of lengths are no doubles any more, and so large. */
+    @ParameterizedTest
+    @MethodSource("raytracing.CommittedScenesTest#scenes")
+    void alsoAtTheEndsOfTheRange(Path file) throws Exception {
+        RenderSettings settings = SMALL.withSize(40, 40);
+        Scene scene = RayTracer.parseScene(file);
+        Film film = new Renderer(scene, settings).render();
+        RendererTest.assertSamePixels(film, new Renderer(scaled(scene, 0x1p900), settings).render());
+        RendererTest.assertSamePixels(film, new Renderer(scaled(scene, 0x1p-900), settings).render());
     }
 
     @ParameterizedTest(name = "{0} times {1}")

@@ -1,0 +1,40 @@
+package raytracing.nasty;
+
+import java.util.Optional;
+import raytracing.color.Color;
+import raytracing.film.Film;
+import raytracing.render.Renderer;
+
+/** Draws nasty scenes, small, and says what is wrong with the picture. */
+final class NastyDrawing {
+    /** Edge of the picture in pixels. */
+    static final int SIZE = 16;
+
+    private NastyDrawing() {
+    }
+
+    /** What is wrong with the picture of a scene: something thrown, or a pixel that is not light. */
+    static Optional<String> defect(NastyScene scene) {
+        try {
+            return defect(new Renderer(scene.scene(), scene.settings()).render());
+        } catch (RuntimeException | StackOverflowError thrown) {
+            return Optional.of(thrown.toString());
+        }
+    }
+
+    private static Optional<String> defect(Film film) {
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                Color color = film.get(x, y);
+                if (!isLight(color.red()) || !isLight(color.green()) || !isLight(color.blue())) {
+                    return Optional.of("pixel " + x + ", " + y + " is " + color);
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isLight(double channel) {
+        return channel >= 0 && channel < Double.POSITIVE_INFINITY;
+    }
+}

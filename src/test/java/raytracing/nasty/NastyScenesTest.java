@@ -1,0 +1,27 @@
+package raytracing.nasty;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+
+/** The first of the scenes that {@code gradle nastyScenes} draws by the hundred thousand. */
+class NastyScenesTest {
+    private static final long SCENES = 300;
+
+    @Test
+    void everyPixelOfEverySceneIsLight() {
+        Map<Long, String> defects = new TreeMap<>();
+        for (long seed = 1; seed <= SCENES; seed++) {
+            long which = seed;
+            NastyDrawing.defect(NastyScene.of(seed)).ifPresent(defect -> defects.put(which, defect));
+        }
+        assertEquals(Map.of(), defects);
+    }
+
+    @Test
+    void aSeedNamesOneScene() {
+        assertEquals(NastyScene.of(7), NastyScene.of(7));
+    }
+}
