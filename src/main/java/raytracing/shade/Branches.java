@@ -88,9 +88,7 @@ final class Branches {
         }
         taken = heap[0];
         int last = heap[--waiting];
-        if (waiting > 0) {
-            sink(last);
-        }
+        sink(last);
         return true;
     }
 
