@@ -117,7 +117,7 @@ class PreviewTest {
             program.tell("type 0");
             awaitPicture(screen, view, 1, picture, 0, 0);
             assertTrue(program.isRunning());
-            program.tell("escape");
+            program.order("escape");
             assertEquals(0, program.await());
         }
     }
@@ -132,7 +132,7 @@ class PreviewTest {
             Rectangle onScreen = new Rectangle(2 * view.x, 2 * view.y, 800, 600);
             Patience.await("end of the drawing", PATIENCE_SECONDS, () -> Files.exists(folder.resolve("out.png")));
             awaitPicture(screen, onScreen, 1, picture("out.png"), 0, 0);
-            program.tell("close");
+            program.order("close");
             assertEquals(0, program.await());
         }
     }
@@ -144,9 +144,12 @@ class PreviewTest {
         try (VirtualScreen screen = screen();
              WatchedProgram program = start(screen, "scene.txt out.png 320 240 --shadow-rays 512 --preview")) {
             Rectangle view = view(program);
-            Patience.await("coarse look", PATIENCE_SECONDS, () -> isCoarse(screen.screenshot(), view));
+            try { Patience.await("coarse look", 25, () -> isCoarse(screen.screenshot(), view)); } catch (AssertionError e) {
+                ImageIO.write(screen.screenshot(), "png", new java.io.File("/tmp/pv/fail.png"));
+                new ProcessBuilder("jstack", "" + program.pid()).redirectOutput(new java.io.File("/tmp/pv/fail.txt")).start().waitFor();
+                System.err.println("=> view " + view + " title " + program.tell("title") + " view now " + view(program)); throw e; }
             assertTrue(program.tell("title").matches("out\\.png - \\d+ %.*"), program.tell("title"));
-            program.tell("escape");
+            program.order("escape");
             assertEquals(130, program.await());
             assertTrue(program.errors().matches("(?s).*out\\.png: stopped at \\d+ %, the file is as it was\\R"), program.errors());
         }
@@ -176,7 +179,7 @@ class PreviewTest {
         try (VirtualScreen screen = screen();
              WatchedProgram program = start(screen, "scene.txt out.png 400 300 --shadow-rays 64 --preview")) {
             assertTrue(program.tell("title").startsWith("out.png"));
-            program.tell("close");
+            program.order("close");
             assertFalse(Files.exists(folder.resolve("out.png")), "the picture was there before the window was closed");
             assertEquals(0, program.await(), program.errors());
             assertTrue(program.errors().matches(".*\\Rout\\.png: 400 x 300 pixels in \\d+ m?s\\R"), program.errors());

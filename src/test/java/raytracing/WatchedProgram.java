@@ -43,10 +43,15 @@ final class WatchedProgram implements AutoCloseable {
         return Path.of(PreviewUser.class.getProtectionDomain().getCodeSource().getLocation().getPath());
     }
 
-    /** Has the user do something, once there is a window. */
-    String tell(String order) throws IOException {
+    /** Has the user do something that may end the program, which then gives no answer. */
+    void order(String order) throws IOException {
         orders.write(order + "\n");
         orders.flush();
+    }
+
+    /** Has the user do something, once there is a window, and awaits that. */
+    String tell(String order) throws IOException {
+        order(order);
         StringBuilder answer = new StringBuilder();
         for (String line = answers.readLine(); !"done".equals(line); line = answers.readLine()) {
             if (line == null) {
@@ -69,6 +74,7 @@ final class WatchedProgram implements AutoCloseable {
         return process.exitValue();
     }
 
+    long pid() { return process.pid(); }
     boolean isRunning() {
         return process.isAlive();
     }
