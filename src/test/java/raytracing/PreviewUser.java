@@ -2,9 +2,9 @@ package raytracing;
 
 import java.awt.AWTException;
 import java.awt.Component;
-import java.awt.Point;
+import java.awt.Container;
+import java.awt.EventQueue;
 import java.awt.Robot;
-import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -12,10 +12,13 @@ import java.awt.event.WindowEvent;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.lang.reflect.InvocationTargetException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Scanner;
 import javax.swing.JFrame;
-import javax.swing.SwingUtilities;
+import javax.swing.JLabel;
 
 /**
  * Runs the program in a virtual machine with somebody who uses its window: does what standard input says, line by line, and
@@ -35,46 +38,69 @@ final class PreviewUser {
     private static void obey() {
         try (BufferedReader orders = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8))) {
             JFrame frame = awaitFrame();
-            Robot robot = new Robot();
             for (String order = orders.readLine(); order != null; order = orders.readLine()) {
-                obey(new Scanner(order), frame, robot);
+                Scanner words = new Scanner(order);
+                EventQueue.invokeAndWait(() -> obey(words, frame));
                 System.out.println("done");
             }
-        } catch (IOException | AWTException | ReflectiveOperationException | InterruptedException failure) {
+        } catch (IOException | InvocationTargetException | InterruptedException failure) {
             failure.printStackTrace();
         }
     }
 
-    private static JFrame awaitFrame() throws InterruptedException {
-        while (true) {
-            for (Window window : Window.getWindows()) {
-                if (window instanceof JFrame frame && frame.isShowing()) {
-                    return frame;
-                }
-            }
+    /** Windows belong to Swing's thread: nothing is done before the program has started it, and all is done in it. */
+    private static JFrame awaitFrame() throws InterruptedException, InvocationTargetException {
+        List<JFrame> frames = new ArrayList<>();
+        while (frames.isEmpty()) {
             Thread.sleep(20);
+            if (Thread.getAllStackTraces().keySet().stream().anyMatch(thread -> thread.getName().startsWith("AWT-EventQueue"))) {
+                EventQueue.invokeAndWait(() -> {
+                    for (Window window : Window.getWindows()) {
+                        if (window instanceof JFrame frame && frame.isShowing()) {
+                            frames.add(frame);
+                        }
+                    }
+                });
+            }
         }
+        return frames.get(0);
     }
 
-    private static void obey(Scanner order, JFrame frame, Robot robot)
-            throws ReflectiveOperationException, InterruptedException {
+    private static void obey(Scanner order, JFrame frame) {
+        Robot robot = robot();
         switch (order.next()) {
             case "title" -> System.out.println(frame.getTitle());
-            case "view" -> SwingUtilities.invokeAndWait(() -> {
-                Component view = frame.getContentPane().getComponent(0);
-                Point corner = view.getLocationOnScreen();
-                System.out.println(corner.x + " " + corner.y + " " + view.getWidth() + " " + view.getHeight());
-            });
+            case "size" -> System.out.println(size(frame.getContentPane().getComponent(0)));
+            case "status" -> System.out.println(status(frame));
             case "point" -> robot.mouseMove(order.nextInt(), order.nextInt());
             case "wheel" -> robot.mouseWheel(order.nextInt());
             case "grip" -> robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
             case "release" -> robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
             case "escape" -> type(robot, KeyEvent.VK_ESCAPE);
             case "type" -> type(robot, KeyEvent.getExtendedKeyCodeForChar(order.next().charAt(0)));
-            case "close" -> Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(
-                new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
+            case "close" -> frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
             default -> throw new IllegalArgumentException("unknown order");
         }
+    }
+
+    private static Robot robot() {
+        try {
+            return new Robot();
+        } catch (AWTException forbidden) {
+            throw new IllegalStateException(forbidden);
+        }
+    }
+
+    private static String size(Component view) {
+        return view.getWidth() + " " + view.getHeight();
+    }
+
+    private static String status(JFrame frame) {
+        StringBuilder words = new StringBuilder();
+        for (Component label : ((Container) frame.getContentPane().getComponent(1)).getComponents()) {
+            words.append(((JLabel) label).getText()).append(' ');
+        }
+        return words.toString().strip();
     }
 
     private static void type(Robot robot, int key) {

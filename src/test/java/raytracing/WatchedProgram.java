@@ -74,7 +74,6 @@ final class WatchedProgram implements AutoCloseable {
         return process.exitValue();
     }
 
-    long pid() { return process.pid(); }
     boolean isRunning() {
         return process.isAlive();
     }
