@@ -8,7 +8,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.parse.RayTracerException;
 import raytracing.render.Cancellation;
@@ -86,16 +85,6 @@ final class Forecasts {
 
         double seconds() {
             return (System.nanoTime() - start) / 1e9;
-        }
-
-        @Override
-        public int[] coarseLooks() {
-            return new int[0];
-        }
-
-        @Override
-        public void showSquare(Region square, Color light) {
-            throw new AssertionError("no coarse look was asked for");
         }
 
         @Override

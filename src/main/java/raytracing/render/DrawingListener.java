@@ -12,17 +12,21 @@ public interface DrawingListener {
      * How coarse the first looks at a band are, each before the next and all before its tiles: one pixel in each square
      * is drawn only to be shown.
      *
-     * @return edges of the squares in pixels, the coarsest first; empty if there is no need
+     * @return edges of the squares in pixels, the coarsest first; empty, as it is unless said otherwise, if there is no need
      */
-    int[] coarseLooks();
+    default int[] coarseLooks() {
+        return new int[0];
+    }
 
     /**
-     * A first look at some pixels.
+     * A first look at some pixels, for those who asked for such looks.
      *
      * @param square of them; coordinates of the whole picture
      * @param light of one of them
      */
-    void showSquare(Region square, Color light);
+    default void showSquare(Region square, Color light) {
+        throw new IllegalStateException("no coarse look was asked for");
+    }
 
     /**
      * Pixels as they are in the picture, or, where edges are smoothed, as one ray sees them before.
@@ -35,19 +39,7 @@ public interface DrawingListener {
 
     /** Nobody looks. */
     final class Nobody implements DrawingListener {
-        private static final int[] NO_LOOKS = {};
-
         private Nobody() {
-        }
-
-        @Override
-        public int[] coarseLooks() {
-            return NO_LOOKS;
-        }
-
-        @Override
-        public void showSquare(Region square, Color light) {
-            // not looked at
         }
 
         @Override

@@ -89,16 +89,6 @@ class DrawingTest {
         }
 
         @Override
-        public int[] coarseLooks() {
-            return new int[0];
-        }
-
-        @Override
-        public void showSquare(Region square, Color light) {
-            throw new AssertionError("no coarse look was asked for");
-        }
-
-        @Override
         public synchronized void showTile(Region tile, Film film, Region filmed) {
             shown.add(tile);
             if (left.decrementAndGet() == 0) {
@@ -172,16 +162,6 @@ class DrawingTest {
         CountDownLatch endOfTest = new CountDownLatch(1);
         Cancellation cancellation = new Cancellation();
         DrawingListener asleep = new DrawingListener() {
-            @Override
-            public int[] coarseLooks() {
-                return new int[0];
-            }
-
-            @Override
-            public void showSquare(Region square, Color light) {
-                throw new AssertionError("no coarse look was asked for");
-            }
-
             @Override
             public void showTile(Region tile, Film film, Region filmed) {
                 cancellation.request();
