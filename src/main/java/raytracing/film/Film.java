@@ -182,16 +182,21 @@ public final class Film {
 
     private BufferedImage toImage(int type) {
         BufferedImage image = new BufferedImage(width, height, type);
+        paint(image, 0);
+        return image;
+    }
+
+    /** Paints all rows into an image as wide as they are, from one of its rows on; with gaps if it can have some. */
+    void paint(BufferedImage image, int top) {
         WritableRaster pixels = image.getRaster();   // copies rows; the image itself would convert pixel by pixel
         int[] row = new int[width];
         for (int y = 0; y < height; y++) {
             encodeRow(y, row);
-            if (type == BufferedImage.TYPE_INT_ARGB) {
+            if (image.getType() == BufferedImage.TYPE_INT_ARGB) {
                 cutGaps(y, row);
             }
-            pixels.setDataElements(0, y, width, 1, row);
+            pixels.setDataElements(0, top + y, width, 1, row);
         }
-        return image;
     }
 
     /** Writes a row of the picture into an array: 8 bits each of red, green and blue, the last lowest. */
@@ -216,7 +221,7 @@ public final class Film {
      */
     public int encoded(int x, int y) {
         int i = CHANNELS * (y * width + x);
-        return encoded(light[i]) << 16 | encoded(light[i + 1]) << 8 | encoded(light[i + 2]);
+        return encoded(light[i], light[i + 1], light[i + 2]);
     }
 
     /**
@@ -226,7 +231,11 @@ public final class Film {
      * @return 8 bits each of red, green and blue, the last lowest
      */
     public static int encoded(Color light) {
-        return encoded(light.red()) << 16 | encoded(light.green()) << 8 | encoded(light.blue());
+        return encoded(light.red(), light.green(), light.blue());
+    }
+
+    private static int encoded(double red, double green, double blue) {
+        return encoded(red) << 16 | encoded(green) << 8 | encoded(blue);
     }
 
     private static int encoded(double channel) {

@@ -108,8 +108,8 @@ public final class ImageFile {
 
     /**
      * Writes a picture band by band. PNG and BMP files are written as the bands come, the first of which is awaited before
-     * there is a file; other formats need the whole picture in memory, 4 bytes a pixel. Gaps are transparent in a PNG
-     * of one band.
+     * there is a file; other formats need the whole picture in memory, 4 bytes a pixel. Gaps are transparent where
+     * {@link ImageFormat#showsGaps} says so.
      *
      * @param bands of the picture; what they throw is thrown
      * @throws IOException if it cannot be written; then whatever stood there before still does
@@ -131,19 +131,14 @@ public final class ImageFile {
     private RenderedImage image(Bands bands) {
         if (bands.count() == 1) {
             Film film = bands.band(0);
-            return film.hasGaps() && format == ImageFormat.PNG ? film.toImageWithGaps() : film.toImage();
+            return film.hasGaps() && format.showsGaps(bands) ? film.toImageWithGaps() : film.toImage();
         }
         if (format.reading() != ImageFormat.Reading.WHOLE) {
             return new BandedImage(bands, format.reading() == ImageFormat.Reading.DOWN ? 0 : bands.count() - 1);
         }
         BufferedImage whole = new BufferedImage(bands.width(), bands.height(), BufferedImage.TYPE_INT_RGB);
-        int[] row = new int[bands.width()];
         for (int i = 0; i < bands.count(); i++) {
-            Film band = bands.band(i);
-            for (int y = 0; y < band.height(); y++) {
-                band.encodeRow(y, row);
-                whole.getRaster().setDataElements(0, i * bands.bandHeight() + y, row.length, 1, row);
-            }
+            bands.band(i).paint(whole, i * bands.bandHeight());
         }
         return whole;
     }

@@ -66,6 +66,17 @@ public enum ImageFormat {
         return mostPixels;
     }
 
+    /**
+     * Whether what is missing in a picture is transparent in its file. The header of a file of several bands is written
+     * before anybody knows that something will be.
+     *
+     * @param bands of the picture
+     * @return false if something else stands in the gaps
+     */
+    public boolean showsGaps(Bands bands) {
+        return this == PNG && bands.count() == 1;
+    }
+
     /** How ImageIO's writer reads the picture. */
     Reading reading() {
         return reading;

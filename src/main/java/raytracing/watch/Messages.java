@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.util.Locale;
 import raytracing.color.Color;
+import raytracing.film.ImageFormat;
 import raytracing.render.Drawing;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
@@ -17,16 +18,19 @@ public final class Messages {
     private static final long MOST_MILLISECONDS = 9_999;
 
     private final String output;
+    private final ImageFormat format;
     private final RenderSettings settings;
 
     /**
      * Messages about a picture.
      *
      * @param output name of the file
+     * @param format of the file
      * @param settings how it is drawn
      */
-    public Messages(String output, RenderSettings settings) {
+    public Messages(String output, ImageFormat format, RenderSettings settings) {
         this.output = output;
+        this.format = format;
         this.settings = settings;
     }
 
@@ -120,8 +124,7 @@ public final class Messages {
         String share = output + ": stopped at " + (int) (100 * drawing.share()) + " %, ";
         if (drawing.isPartial()) {
             return share + "what was finished is in the file; the rest is "
-                + (drawing.count() == 1 && output.toLowerCase(Locale.ROOT).endsWith(".png") ? "transparent"
-                    : "in the colour of the background");
+                + (format.showsGaps(drawing) ? "transparent" : "in the colour of the background");
         }
         return share + "the file is as it was";
     }

@@ -25,7 +25,7 @@ public final class Session {
 
     private Session(Command.Draw command) {
         this.command = command;
-        messages = new Messages(command.output().toString(), command.settings());
+        messages = new Messages(command.output().toString(), command.format(), command.settings());
         file = new ImageFile(command.output(), command.format());
     }
 
@@ -82,7 +82,7 @@ public final class Session {
             preview.get().follow(drawing);
         }
         long writing = System.nanoTime();
-        boolean isWritten = isWritten(drawing);
+        boolean isWritten = write(drawing);
         long end = System.nanoTime();
         Outcome outcome = isWritten && !drawing.isPartial() ? Outcome.FINISHED : Outcome.STOPPED;
         String summary = outcome == Outcome.FINISHED
@@ -98,8 +98,12 @@ public final class Session {
         return outcome;
     }
 
-    /** Draws, under a line of progress where somebody reads it; false if there is no picture because nobody wants it. */
-    private boolean isWritten(Drawing drawing) throws IOException {
+    /**
+     * Draws and writes, under a line of progress where somebody reads it.
+     *
+     * @return false if there is no picture because nobody wants it
+     */
+    private boolean write(Drawing drawing) throws IOException {
         boolean isQuiet = command.wants(Extra.QUIET);
         Optional<ProgressLine> line = !isQuiet && ProgressLine.isWanted()
             ? Optional.of(ProgressLine.begin(command.output().toString(), drawing, start)) : Optional.empty();
