@@ -28,15 +28,12 @@ final class Crew {
             thread.start();
             threads.add(thread);
         }
-        boolean interrupted = waitForAll(threads, cancellation);
+        waitForAll(threads, cancellation);
         List<W> ended = new ArrayList<>();
         for (int i = 0; i < threads.size(); i++) {
             if (!threads.get(i).isAlive()) {
                 ended.add(workers.get(i));
             }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
         }
         for (W worker : ended) {
             worker.failure.rethrow();
@@ -44,8 +41,11 @@ final class Crew {
         return ended;
     }
 
-    /** Whether the wait was interrupted: the film is nobody's before all are done, so that is passed on after it. */
-    private static boolean waitForAll(List<Thread> threads, Cancellation cancellation) {
+    /**
+     * Waits until all threads have ended, or soon after the work was cancelled. What they work on is nobody's before that, so
+     * an interruption is passed on after it.
+     */
+    static void waitForAll(List<Thread> threads, Cancellation cancellation) {
         boolean interrupted = false;
         long deadline = Long.MAX_VALUE;
         for (Thread thread : threads) {
@@ -60,6 +60,8 @@ final class Crew {
                 }
             }
         }
-        return interrupted;
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

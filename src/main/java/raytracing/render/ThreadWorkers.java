@@ -1,10 +1,14 @@
 package raytracing.render;
 
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import raytracing.compiled.Workers;
 
 /** Does two pieces of work at the same time while a thread is left to do it, and one after the other otherwise. */
 final class ThreadWorkers implements Workers {
+    /** What makes a picture ready is never cancelled: the program ends without it. */
+    private static final Cancellation NEVER = new Cancellation();
+
     private final AtomicInteger idle;
 
     /** With so many threads at most, the calling one included. */
@@ -27,24 +31,10 @@ final class ThreadWorkers implements Workers {
         try {
             first.run();
         } finally {
-            waitFor(thread);
+            Crew.waitForAll(List.of(thread), NEVER);
             idle.getAndIncrement();
         }
         helper.failure.rethrow();
-    }
-
-    private static void waitFor(Thread thread) {
-        boolean interrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException request) {
-                interrupted = true;          // what it works on is nobody's before it is done; pass the request on after that
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     private static final class Helper implements Runnable {

@@ -81,8 +81,4 @@ final class TileQueue {
         }
         return tiles;
     }
-
-    int count() {
-        return count;
-    }
 }
