@@ -12,8 +12,10 @@ public final class Interruption {
 
     private final Cancellation cancellation;
     private boolean isOver;
+    private boolean isEnding;
 
-    private Interruption(Cancellation cancellation) {
+    /** Without a signal yet. */
+    Interruption(Cancellation cancellation) {
         this.cancellation = cancellation;
     }
 
@@ -25,20 +27,24 @@ public final class Interruption {
      */
     public static Interruption install(Cancellation cancellation) {
         Interruption interruption = new Interruption(cancellation);
-        Runtime.getRuntime().addShutdownHook(new Thread("interruption") {
-            @Override
-            public void run() {
-                interruption.cancel();
-            }
-        });
+        try {
+            Runtime.getRuntime().addShutdownHook(new Thread("interruption") {
+                @Override
+                public void run() {
+                    interruption.cancel();
+                }
+            });
+        } catch (IllegalStateException endingAlready) {
+            interruption.cancel();           // a signal came before; what is left to do is to stay
+        }
         return interruption;
     }
 
     /** At the end of the program this runs too, when all is over. */
-    private void cancel() {
+    void cancel() {
         cancellation.request();
         try {
-            if (!isOver() && cancellation.awaitAnswer(PATIENCE_MILLISECONDS)) {
+            if (!isOverAtTheEnd() && cancellation.awaitAnswer(PATIENCE_MILLISECONDS)) {
                 awaitEnd();
             }
         } catch (InterruptedException impatience) {
@@ -46,7 +52,8 @@ public final class Interruption {
         }
     }
 
-    private synchronized boolean isOver() {
+    private synchronized boolean isOverAtTheEnd() {
+        isEnding = true;
         return isOver;
     }
 
@@ -56,9 +63,19 @@ public final class Interruption {
         }
     }
 
-    /** Nothing remains to be done. */
+    /**
+     * Nothing remains to be done. While a signal ends the program, this does not return: a virtual machine that has run its
+     * hooks would take the status of whoever asked for an exit last.
+     */
     public synchronized void end() {
         isOver = true;
         notifyAll();
+        try {
+            while (isEnding) {
+                wait();
+            }
+        } catch (InterruptedException impatience) {
+            Thread.currentThread().interrupt();
+        }
     }
 }
