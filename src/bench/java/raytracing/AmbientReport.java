@@ -29,8 +29,7 @@ public final class AmbientReport {
         Effort effort = isQuick ? Effort.QUICK : Effort.FULL;
         Path folder = Files.createTempDirectory("ambient");
         try {
-            String origin = "`gradle ambient" + (isQuick ? " -Pquick" : "") + "` wrote this part. " + Machine.facts()
-                + "\nDate of the commit: " + Machine.commitDate() + ". " + AmbientRoom.missing();
+            String origin = Machine.origin("gradle ambient" + (isQuick ? " -Pquick" : "")) + " " + AmbientRoom.missing();
             String summary = AmbientErrors.summary(effort);
             MeasuredPart.replace(DOCUMENT, origin + "\n### Errors\n\n" + AmbientErrors.section(effort)
                 + "\n### Times\n\n" + AmbientTimes.section(effort, folder));

@@ -68,8 +68,7 @@ public final class CoverageReport {
             rooms.entrySet().stream().map(room -> room.getValue().row(room.getKey()))).toList();
         String table = MarkdownTable.of(List.of("room", "lines", "reached", "branches", "reached"), rows);
         System.out.print(table);
-        MeasuredPart.replace(DOCUMENT, "coverage", table + "\n`gradle coverage` wrote this part. " + Machine.facts()
-            + "\nDate of the commit: " + Machine.commitDate() + ".");
+        MeasuredPart.replace(DOCUMENT, "coverage", table + "\n" + Machine.origin("gradle coverage"));
     }
 
     private static String room(String packageName) {

@@ -1,13 +1,11 @@
 package raytracing;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 import raytracing.film.Film;
 import raytracing.parse.RayTracerException;
 import raytracing.render.Cancellation;
@@ -28,7 +26,7 @@ final class Forecasts {
     static String section(int runs) throws IOException, RayTracerException {
         List<List<String>> rows = new ArrayList<>();
         double[] farthest = new double[SHARES.length];
-        for (Path scene : scenes()) {
+        for (Path scene : SceneFiles.all().toList()) {
             Renderer renderer = new Renderer(RayTracer.parseScene(scene), RenderSettings.DEFAULT);
             renderer.render();
             List<String> row = new ArrayList<>(List.of(scene.getFileName().toString().replace(".txt", "")));
@@ -53,12 +51,6 @@ final class Forecasts {
         rows.add(last);
         return MarkdownTable.of(List.of("foreseen at", "5 %", "10 %", "25 %", "50 %"), rows)
             + "\n500 x 500 pixels, warm, medians of " + runs + " frames.\n";
-    }
-
-    private static List<Path> scenes() throws IOException {
-        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-            return files.filter(file -> file.toString().endsWith(".txt")).sorted().toList();
-        }
     }
 
     private static void addRatios(Renderer renderer, List<List<Double>> ratios) {

@@ -19,6 +19,11 @@ public final class Machine {
             + System.getProperty("java.runtime.version") + "; commit " + commit() + ".";
     }
 
+    /** Which command measured, where, and with which sources: the sentences that stand before its figures. */
+    public static String origin(String command) throws IOException {
+        return "`" + command + "` wrote this part. " + facts() + "\nDate of the commit: " + commitDate() + ".";
+    }
+
     private static String processor() throws IOException {
         if (!Files.exists(LINUX_PROCESSORS)) {
             return System.getProperty("os.arch");

@@ -68,8 +68,7 @@ public final class MutationReport {
             rooms.stream().map(Mutants::row).toList());
         System.out.print(table);
         if (isWritten) {
-            MeasuredPart.replace(DOCUMENT, "`gradle mutation` wrote this part. " + Machine.facts()
-                + "\nDate of the commit: " + Machine.commitDate() + ".\n\n" + table);
+            MeasuredPart.replace(DOCUMENT, Machine.origin("gradle mutation") + "\n\n" + table);
         }
     }
 }

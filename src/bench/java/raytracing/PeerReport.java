@@ -47,9 +47,7 @@ public final class PeerReport {
     }
 
     private String heading() throws IOException {
-        return "`" + command() + "` wrote this part. " + Machine.facts()
-            + "\nDate of the commit: " + Machine.commitDate() + ". "
-            + povRay.map(PovRay::version).orElse("No POV-Ray") + ".\n"
+        return Machine.origin(command()) + " " + povRay.map(PovRay::version).orElse("No POV-Ray") + ".\n"
             + (povRay.isPresent() ? "" : PovRay.MISSING) + MeasuredProcess.missing() + TimedScene.missing(asked());
     }
 

@@ -23,8 +23,7 @@ public final class SamplingReport {
         Effort effort = isQuick ? Effort.QUICK : Effort.FULL;
         Path folder = Files.createTempDirectory("sampling");
         try {
-            MeasuredPart.replace(DOCUMENT, "`gradle sampling" + (isQuick ? " -Pquick" : "") + "` wrote this part. "
-                + Machine.facts() + "\nDate of the commit: " + Machine.commitDate() + ". "
+            MeasuredPart.replace(DOCUMENT, Machine.origin("gradle sampling" + (isQuick ? " -Pquick" : "")) + " "
                 + TimedScene.missing(ShadowPictures.SCENES) + MeasuredProcess.missing()
                 + "\n### Exact shadows against the limit of sampling\n\n" + ShadowLimits.section(effort)
                 + "\n### Exact shadows in whole pictures\n\n" + ShadowPictures.section(effort, folder)

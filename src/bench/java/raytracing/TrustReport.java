@@ -22,8 +22,7 @@ public final class TrustReport {
         boolean isQuick = List.of(arguments).contains("quick");
         Path folder = Files.createTempDirectory("trust");
         try {
-            MeasuredPart.replace(DOCUMENT, "`gradle trust" + (isQuick ? " -Pquick" : "") + "` wrote this part. "
-                + Machine.facts() + "\nDate of the commit: " + Machine.commitDate() + ".\n"
+            MeasuredPart.replace(DOCUMENT, Machine.origin("gradle trust" + (isQuick ? " -Pquick" : "")) + "\n"
                 + "\n### From a signal to the end, milliseconds\n\n" + StopTimes.section(isQuick ? 5 : 25, folder)
                 + "\n### The time that is foreseen over the time it took\n\n" + Forecasts.section(isQuick ? 1 : 5));
         } finally {

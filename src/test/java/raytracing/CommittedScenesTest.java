@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -18,16 +17,8 @@ import raytracing.render.RenderSettings;
 
 /** The pictures in the scenes folder are what this program draws today; {@code gradle scenes} redraws them. */
 public class CommittedScenesTest {
-    private static final Path FOLDER = Path.of("scenes");
-
     public static Stream<Path> scenes() throws IOException {
-        return endingIn(".txt");
-    }
-
-    private static Stream<Path> endingIn(String ending) throws IOException {
-        try (Stream<Path> files = Files.list(FOLDER)) {
-            return files.filter(file -> file.toString().endsWith(ending)).sorted().toList().stream();
-        }
+        return SceneFiles.all();
     }
 
     private static List<String> names(Stream<Path> files, String ending) {
@@ -46,7 +37,7 @@ public class CommittedScenesTest {
 
     @Test
     void everySceneHasItsPictureAndEveryPictureItsScene() throws IOException {
-        assertEquals(names(endingIn(".txt"), ".txt"), names(endingIn(".png"), ".png"));
+        assertEquals(names(SceneFiles.endingIn(".txt"), ".txt"), names(SceneFiles.endingIn(".png"), ".png"));
         assertTrue(scenes().count() >= 8);
     }
 }

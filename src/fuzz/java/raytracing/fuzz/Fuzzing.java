@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import raytracing.SceneFiles;
 
 /**
  * Fuzzes the scene parser with Jazzer: {@code gradle fuzz [-Pminutes=10] [-Pkeep]}. Begins with the corpus and with pieces
@@ -75,10 +76,8 @@ public final class Fuzzing {
 
     private static void writeSeeds() throws IOException {
         List<byte[]> seeds = new ArrayList<>(Corpus.inputs());
-        try (Stream<Path> scenes = Files.list(Path.of("scenes"))) {
-            for (Path scene : scenes.filter(file -> file.toString().endsWith(".txt")).sorted().toList()) {
-                seeds.add(firstOfEachCode(Files.readAllLines(scene)).getBytes(StandardCharsets.UTF_8));
-            }
+        for (Path scene : SceneFiles.all().toList()) {
+            seeds.add(firstOfEachCode(Files.readAllLines(scene)).getBytes(StandardCharsets.UTF_8));
         }
         for (int i = 0; i < seeds.size(); i++) {
             Files.write(SEEDS.resolve(Integer.toString(i)), seeds.get(i));

@@ -49,8 +49,7 @@ final class Documents {
     }
 
     private static String markdown(Request request, List<SceneStudy> studies, SceneStudy shown) throws IOException {
-        return "`" + request.command() + "` wrote this part. " + Machine.facts() + "\nDate of the commit: "
-            + Machine.commitDate() + ". " + common(request) + "\n\n"
+        return Machine.origin(request.command()) + " " + common(request) + "\n\n"
             + String.join("\n", Headline.of(studies)) + "\n\n### Time at equal error\n\n"
             + Tables.shadows(studies).markdown() + "\n" + Tables.edges(studies).markdown()
             + shown.families().stream().map(family -> section(shown, family)).collect(Collectors.joining())

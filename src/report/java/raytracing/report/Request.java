@@ -1,11 +1,10 @@
 package raytracing.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
+import raytracing.SceneFiles;
 import raytracing.parse.RayTracerException;
 
 /**
@@ -18,7 +17,6 @@ import raytracing.parse.RayTracerException;
  * @param part what is written
  */
 record Request(List<Path> scenes, Path folder, Budget budget, String command, Part part) {
-    private static final Path SCENES = Path.of("scenes");
     private static final Path FOLDER = Path.of("build", "report");
     private static final int MOST_SIZE = 2000;
 
@@ -44,7 +42,7 @@ record Request(List<Path> scenes, Path folder, Budget budget, String command, Pa
         Optional<String> out = value(arguments, "out");
         Optional<String> size = value(arguments, "size");
         Budget budget = scene.isPresent() ? Budget.OF_ONE : Budget.OF_MANY;
-        return new Request(scene.isPresent() ? List.of(Path.of(scene.get())) : all(),
+        return new Request(scene.isPresent() ? List.of(Path.of(scene.get())) : SceneFiles.all().toList(),
             out.map(Path::of).orElse(FOLDER),
             size.isPresent() ? budget.withSize(size(size.get())) : budget,
             part.task + scene.map(file -> " -Pscene=" + shown(file)).orElse("")
@@ -74,11 +72,5 @@ record Request(List<Path> scenes, Path folder, Budget budget, String command, Pa
     private static String shown(String file) {
         Path path = Path.of(file);
         return path.isAbsolute() ? path.getFileName().toString() : file;
-    }
-
-    private static List<Path> all() throws IOException {
-        try (Stream<Path> files = Files.list(SCENES)) {
-            return files.filter(file -> file.toString().endsWith(".txt")).sorted().toList();
-        }
     }
 }
