@@ -3,11 +3,9 @@ package raytracing;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -33,12 +31,6 @@ class FullDiskTest {
         Shell.run(folder, "umount disk");
     }
 
-    private List<String> filesOnDisk() throws IOException {
-        try (Stream<Path> files = Files.list(folder.resolve("disk"))) {
-            return files.map(file -> file.getFileName().toString()).toList();
-        }
-    }
-
     @ParameterizedTest
     @ValueSource(strings = {"png", "jpg", "bmp", "gif"})
     void aFullDiskLeavesTheOlderPictureAndSaysSo(String ending) throws Exception {
@@ -49,7 +41,7 @@ class FullDiskTest {
             program.errors());
         assertEquals(1, program.status());
         assertEquals("older", Files.readString(folder.resolve("disk").resolve(name)));
-        assertEquals(List.of(name), filesOnDisk());
+        assertEquals(List.of(name), Folders.names(folder.resolve("disk")));
     }
 
     @Test

@@ -14,17 +14,16 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The same bytes on every Java from 17 on: compares with those that are installed beside the one that runs the tests. */
 class OtherJavaTest {
-    private static final Path HERE = Path.of(System.getProperty("java.home"));
 
     @Test
     void everyInstalledJavaDrawsTheSameFiles(@TempDir Path folder) throws Exception {
         List<Path> others = otherJavas();
         if (others.isEmpty()) {
-            System.err.println("SKIPPED: no other Java from 17 on is installed beside " + HERE.getFileName());
+            System.err.println("SKIPPED: no other Java from 17 on is installed beside " + Program.JAVA_HOME.getFileName());
         }
         assumeFalse(others.isEmpty(), "no other Java from 17 on is installed beside this one");
         for (Path scene : CommittedScenesTest.scenes().toList()) {
-            Path expected = drawn(HERE, scene, folder);
+            Path expected = drawn(Program.JAVA_HOME, scene, folder);
             for (Path other : others) {
                 assertEquals(-1, Files.mismatch(expected, drawn(other, scene, folder)),
                     scene.getFileName() + " on " + other.getFileName());
@@ -41,7 +40,7 @@ class OtherJavaTest {
     }
 
     private static List<Path> otherJavas() throws IOException {
-        try (Stream<Path> siblings = Files.list(HERE.toRealPath().getParent())) {
+        try (Stream<Path> siblings = Files.list(Program.JAVA_HOME.toRealPath().getParent())) {
             return siblings.filter(path -> !Files.isSymbolicLink(path))
                 .filter(path -> Files.isExecutable(path.resolve("bin/java")))
                 .filter(path -> feature(path) >= 17 && feature(path) != Runtime.version().feature())

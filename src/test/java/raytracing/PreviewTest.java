@@ -51,11 +51,12 @@ class PreviewTest {
     }
 
     private VirtualScreen screen() throws Exception {
-        boolean hasWindows = Files.exists(Path.of(System.getProperty("java.home"), "lib", "libawt_xawt.so"));
-        if (!VirtualScreen.isInstalled() || !hasWindows) {
+        boolean hasWindows = Files.exists(Program.JAVA_HOME.resolve("lib/libawt_xawt.so"));
+        boolean hasScreens = Shell.has("Xvfb");
+        if (!hasScreens || !hasWindows) {
             System.err.println("SKIPPED: no window is tested without " + (hasWindows ? "Xvfb" : "a Java that has windows"));
         }
-        assumeTrue(VirtualScreen.isInstalled(), "Xvfb is not installed");
+        assumeTrue(hasScreens, "Xvfb is not installed");
         assumeTrue(hasWindows, "this Java has no windows");
         return VirtualScreen.start(Files.createDirectory(folder.resolve("screen")));
     }
@@ -216,7 +217,7 @@ class PreviewTest {
     @ParameterizedTest(name = "DISPLAY={0}, headless={1}")
     @CsvSource({"'', false", ":987, false", "nowhere, false", ":987, true"})
     void withoutADisplayASentenceComesAndThePictureToo(String display, boolean isHeadless) throws Exception {
-        Program program = Program.run(Path.of(System.getProperty("java.home")),
+        Program program = Program.run(Program.JAVA_HOME,
             isHeadless ? List.of("-Djava.awt.headless=true") : List.of(), Map.of("DISPLAY", display), folder,
             "scene.txt", "out.png", "40", "30", "--preview", "--quiet");
         assertEquals("--preview: no display to open a window on; drawing goes on without it" + System.lineSeparator(),

@@ -17,10 +17,11 @@ import java.util.concurrent.TimeUnit;
  */
 record Program(int status, String output, String errors) {
     static final Path JAR = Path.of(System.getProperty("raytracing.jar", "build/libs/RayTracer.jar"));
+    static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
     private static final long MINUTES = 2;
 
     static Program run(Path folder, String... arguments) throws IOException, InterruptedException {
-        return run(Path.of(System.getProperty("java.home")), List.of(), folder, arguments);
+        return run(JAVA_HOME, List.of(), folder, arguments);
     }
 
     static Program run(Path javaHome, List<String> javaOptions, Path folder, String... arguments)

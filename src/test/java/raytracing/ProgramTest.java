@@ -8,7 +8,6 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,12 +40,6 @@ class ProgramTest {
         return Program.run(folder, arguments);
     }
 
-    private List<String> filesInFolder() throws Exception {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString()).sorted().toList();
-        }
-    }
-
     /** A ball alone in the sky: its ambient light is the background. */
     @Test
     void theLineNamesTheAmbientLightOfASceneThatAsksForIt() throws Exception {
@@ -63,7 +56,7 @@ class ProgramTest {
         assertEquals(0, program.status(), program.errors());
         assertEquals("", program.output());
         assertTrue(program.errors().matches(DRAWING + "out\\.png: 40 x 30 pixels in \\d+ ms\\R"), program.errors());
-        assertEquals(List.of("out.png", "scene.txt"), filesInFolder());
+        assertEquals(List.of("out.png", "scene.txt"), Folders.names(folder));
         BufferedImage picture = ImageIO.read(folder.resolve("out.png").toFile());
         assertEquals(40, picture.getWidth());
         assertEquals(30, picture.getHeight());
@@ -117,7 +110,7 @@ class ProgramTest {
         assertEquals(expected + System.lineSeparator(), program.errors());
         assertEquals("", program.output());
         assertEquals(2, program.status());
-        assertEquals(List.of("scene.txt"), filesInFolder());
+        assertEquals(List.of("scene.txt"), Folders.names(folder));
     }
 
     @Test
@@ -134,7 +127,7 @@ class ProgramTest {
     @Test
     void tooLittleMemoryEndsWithStatus1AndASentence() throws Exception {
         Files.writeString(folder.resolve("out.png"), "older");
-        Program program = Program.run(Path.of(System.getProperty("java.home")), List.of("-Xmx24m"), folder,
+        Program program = Program.run(Program.JAVA_HOME, List.of("-Xmx24m"), folder,
             "scene.txt", "out.png", "3000", "3000", "--quiet");
         assertTrue(program.errors().startsWith("not enough memory for this scene and picture size"), program.errors());
         assertEquals(1, program.errors().lines().count());

@@ -23,7 +23,7 @@ record Shell(int status, String text) {
             ProcessBuilder builder = new ProcessBuilder(List.of("bash", "-c", String.join("\n", commands)))
                 .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile());
             builder.environment().putAll(Map.of("JAR", Program.JAR.toAbsolutePath().toString(),
-                "JAVA", Path.of(System.getProperty("java.home"), "bin/java").toString()));
+                "JAVA", Program.JAVA_HOME.resolve("bin/java").toString()));
             builder.environment().remove("JAVA_TOOL_OPTIONS");   // announces itself on standard error
             Process process = builder.start();
             if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {

@@ -13,7 +13,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,6 +31,7 @@ class StoppedProgramTest {
         sph 0 0.5 0  0.5  1
         lgt 0 9 0   1 1 1   1 1 20
         """;
+    private static final long MOST_SECONDS_TO_WORK = 120;
     private static final int SIGKILL = 9;
     private static final int SIGTERM = 15;
 
@@ -46,21 +46,13 @@ class StoppedProgramTest {
 
     private Process start(List<String> prefix, String... arguments) throws IOException {
         Path log = folder.resolve("log");
-        return Program.start(prefix, Path.of(System.getProperty("java.home")), List.of(), Map.of(), folder, log, log, arguments);
-    }
-
-    private List<String> files() throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString()).sorted().toList();
-        }
+        return Program.start(prefix, Program.JAVA_HOME, List.of(), Map.of(), folder, log, log, arguments);
     }
 
     /** As long as it takes to be well into the picture, also on a busy machine. */
-    private static void awaitWork(Process process, Duration work) throws InterruptedException {
-        while (process.isAlive()
-                && process.info().totalCpuDuration().orElse(Duration.ZERO).compareTo(work) < 0) {
-            Thread.sleep(20);
-        }
+    private static void awaitWork(Process process, Duration work) throws IOException, InterruptedException {
+        Patience.await("work", MOST_SECONDS_TO_WORK, () -> !process.isAlive()
+            || process.info().totalCpuDuration().orElse(Duration.ZERO).compareTo(work) >= 0);
     }
 
     /** A shell that starts something in the background lets it ignore SIGINT; here it is not to be ignored. */
@@ -73,21 +65,25 @@ class StoppedProgramTest {
         Shell.run(folder, "kill -" + signal + " " + process.pid());
         assertEquals(status, process.waitFor());
         assertEquals("older", Files.readString(folder.resolve("out.png")));
-        assertEquals(List.of("endless.txt", "log", "out.png"), files());
+        assertEquals(List.of("endless.txt", "log", "out.png"), Folders.names(folder));
         String log = Files.readString(folder.resolve("log"));
         assertTrue(log.matches("out\\.png: drawing 500 x 500 .*\\R"
             + "out\\.png: stopped at \\d+ %, the file is as it was\\R"), log);
     }
 
-    /** Above the horizon, the sky is soon finished; the floor is not. */
-    @Test
-    void whatIsFinishedIsKeptIfTheUserWantsThat() throws Exception {
-        Process process = start(List.of(), "endless.txt", "out.png", "64", "64", "--keep-partial");
+    /** A small endless picture, of which what is finished after a while is kept: the sky, and nothing of the floor. */
+    private BufferedImage kept(String output) throws Exception {
+        Process process = start(List.of(), "endless.txt", output, "64", "64", "--keep-partial");
         awaitWork(process, Duration.ofSeconds(2));
         process.destroy();
         assertEquals(128 + SIGTERM, process.waitFor());
-        assertEquals(List.of("endless.txt", "log", "out.png"), files());
-        BufferedImage picture = ImageIO.read(folder.resolve("out.png").toFile());
+        return ImageIO.read(folder.resolve(output).toFile());
+    }
+
+    @Test
+    void whatIsFinishedIsKeptIfTheUserWantsThat() throws Exception {
+        BufferedImage picture = kept("out.png");
+        assertEquals(List.of("endless.txt", "log", "out.png"), Folders.names(folder));
         assertEquals(0xff4080ff, picture.getRGB(0, 0), "the sky");
         assertEquals(0x00000000, picture.getRGB(32, 63), "the floor");
         String log = Files.readString(folder.resolve("log"));
@@ -97,11 +93,7 @@ class StoppedProgramTest {
 
     @Test
     void aFormatWithoutTransparencyShowsTheBackgroundInstead() throws Exception {
-        Process process = start(List.of(), "endless.txt", "out.bmp", "64", "64", "--keep-partial");
-        awaitWork(process, Duration.ofSeconds(2));
-        process.destroy();
-        assertEquals(128 + SIGTERM, process.waitFor());
-        assertEquals(0xff4080ff, ImageIO.read(folder.resolve("out.bmp").toFile()).getRGB(32, 63));
+        assertEquals(0xff4080ff, kept("out.bmp").getRGB(32, 63));
     }
 
     private Process startSmall(String output) throws IOException {

@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** A screen that nobody sees: an X server that keeps its pixels in a file, which is read instead of taking a screenshot. */
@@ -28,11 +27,6 @@ final class VirtualScreen implements AutoCloseable {
         this.server = server;
         this.pixels = pixels;
         this.name = name;
-    }
-
-    /** Whether there can be one. */
-    static boolean isInstalled() {
-        return List.of(System.getenv("PATH").split(":")).stream().anyMatch(folder -> Files.isExecutable(Path.of(folder, "Xvfb")));
     }
 
     /** On a display that is free, with its files in a folder. */

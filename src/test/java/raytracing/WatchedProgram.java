@@ -28,7 +28,7 @@ final class WatchedProgram implements AutoCloseable {
 
     static WatchedProgram start(VirtualScreen screen, List<String> javaOptions, Path folder, String... arguments)
             throws IOException {
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        List<String> command = new ArrayList<>(List.of(Program.JAVA_HOME.resolve("bin/java").toString()));
         command.addAll(javaOptions);
         command.addAll(List.of("-cp", Program.JAR.toAbsolutePath() + ":" + testClasses(), PreviewUser.class.getName()));
         command.addAll(List.of(arguments));

@@ -136,7 +136,7 @@ class WatchedProgramTest {
     @Test
     void memoryDoesNotGrowWithThePicture() throws Exception {
         Files.writeString(folder.resolve("sky.txt"), "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.25 0.5 1 1 1\n");
-        Program program = Program.run(Path.of(System.getProperty("java.home")), List.of("-Xmx160m"), folder,
+        Program program = Program.run(Program.JAVA_HOME, List.of("-Xmx160m"), folder,
             "sky.txt", "out.png", "5000", "5000", "--quiet");
         assertEquals(new Program(0, "", ""), program);
     }

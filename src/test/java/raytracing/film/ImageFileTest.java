@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.Folders;
 import raytracing.color.Color;
 
 class ImageFileTest {
@@ -35,12 +36,6 @@ class ImageFileTest {
             }
         }
         return film;
-    }
-
-    private List<String> filesInFolder() throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString()).sorted().toList();
-        }
     }
 
     @ParameterizedTest
@@ -93,7 +88,7 @@ class ImageFileTest {
     @Test
     void nothingButTheFinishedFileIsLeft() throws IOException {
         new ImageFile(folder.resolve("picture.png"), ImageFormat.PNG).write(film());
-        assertEquals(List.of("picture.png"), filesInFolder());
+        assertEquals(List.of("picture.png"), Folders.names(folder));
     }
 
     @ParameterizedTest
@@ -104,7 +99,7 @@ class ImageFileTest {
         prepared.write(film());
         new ImageFile(folder.resolve("unprepared"), format).write(film());
         assertEquals(-1, Files.mismatch(folder.resolve("prepared"), folder.resolve("unprepared")));
-        assertEquals(List.of("prepared", "unprepared"), filesInFolder());
+        assertEquals(List.of("prepared", "unprepared"), Folders.names(folder));
     }
 
     @Test
@@ -130,7 +125,7 @@ class ImageFileTest {
         Path path = Files.createDirectory(folder.resolve("picture.png"));
         Files.writeString(path.resolve("inside"), "older");
         assertThrows(IOException.class, () -> new ImageFile(path, ImageFormat.PNG).write(film()));
-        assertEquals(List.of("picture.png"), filesInFolder());
+        assertEquals(List.of("picture.png"), Folders.names(folder));
         assertArrayEquals("older".getBytes(), Files.readAllBytes(path.resolve("inside")));
     }
 
@@ -217,7 +212,7 @@ class ImageFileTest {
         Bands broken = new Cut(film(), 2, takesOne);
         assertThrows(IllegalStateException.class, () -> new ImageFile(path, ImageFormat.PNG).write(broken));
         assertEquals("older", Files.readString(path));
-        assertEquals(List.of("picture.png"), filesInFolder());
+        assertEquals(List.of("picture.png"), Folders.names(folder));
     }
 
     @Test
