@@ -72,6 +72,7 @@ final class PreviewUser {
             case "title" -> System.out.println(frame.getTitle());
             case "size" -> System.out.println(size(frame.getContentPane().getComponent(0)));
             case "status" -> System.out.println(status(frame));
+            case "focus" -> System.out.println(frame.isFocused());
             case "point" -> robot.mouseMove(order.nextInt(), order.nextInt());
             case "wheel" -> robot.mouseWheel(order.nextInt());
             case "grip" -> robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
 
 /**
  * The finished jar in a process of its own, as users run it.
@@ -18,7 +17,6 @@ import java.util.concurrent.TimeUnit;
 record Program(int status, String output, String errors) {
     static final Path JAR = Path.of(System.getProperty("raytracing.jar", "build/libs/RayTracer.jar"));
     static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
-    private static final long MINUTES = 2;
 
     static Program run(Path folder, String... arguments) throws IOException, InterruptedException {
         return run(JAVA_HOME, List.of(), folder, arguments);
@@ -36,11 +34,7 @@ record Program(int status, String output, String errors) {
         Path errors = Files.createTempFile("errors", "");
         try {
             Process process = start(List.of(), javaHome, javaOptions, environment, folder, output, errors, arguments);
-            if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {
-                process.destroyForcibly();
-                throw new AssertionError("still running after " + MINUTES + " minutes");
-            }
-            return new Program(process.exitValue(), Files.readString(output), Files.readString(errors));
+            return new Program(Patience.awaitEnd(process), Files.readString(output), Files.readString(errors));
         } finally {
             Files.delete(output);
             Files.delete(errors);

@@ -1,11 +1,11 @@
 package raytracing;
 
 import java.io.IOException;
+import java.lang.ProcessBuilder.Redirect;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
 
 /**
  * Commands in a shell, as users type them.
@@ -14,27 +14,24 @@ import java.util.concurrent.TimeUnit;
  * @param text what they wrote, to both streams
  */
 record Shell(int status, String text) {
-    private static final long MINUTES = 3;
-
     /** Runs commands in a folder, in which {@code $JAVA} and {@code $JAR} stand for the Java at hand and the jar. */
     static Shell run(Path folder, String... commands) throws IOException, InterruptedException {
         Path log = Files.createTempFile("shell", "");
         try {
-            ProcessBuilder builder = new ProcessBuilder(List.of("bash", "-c", String.join("\n", commands)))
-                .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile());
-            builder.environment().putAll(Map.of("JAR", Program.JAR.toAbsolutePath().toString(),
-                "JAVA", Program.JAVA_HOME.resolve("bin/java").toString()));
-            builder.environment().remove("JAVA_TOOL_OPTIONS");   // announces itself on standard error
-            Process process = builder.start();
-            if (!process.waitFor(MINUTES, TimeUnit.MINUTES)) {
-                process.descendants().forEach(ProcessHandle::destroyForcibly);
-                process.destroyForcibly();
-                throw new AssertionError("still running after " + MINUTES + " minutes");
-            }
-            return new Shell(process.exitValue(), Files.readString(log));
+            return new Shell(Patience.awaitEnd(start(folder, Redirect.to(log.toFile()), commands)), Files.readString(log));
         } finally {
             Files.delete(log);
         }
+    }
+
+    /** Begins to run commands, both of whose streams go somewhere. */
+    static Process start(Path folder, Redirect output, String... commands) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(List.of("bash", "-c", String.join("\n", commands)))
+            .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output);
+        builder.environment().putAll(Map.of("JAR", Program.JAR.toAbsolutePath().toString(),
+            "JAVA", Program.JAVA_HOME.resolve("bin/java").toString()));
+        builder.environment().remove("JAVA_TOOL_OPTIONS");   // announces itself on standard error
+        return builder.start();
     }
 
     /** Whether all these commands are installed. */

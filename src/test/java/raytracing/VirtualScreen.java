@@ -9,8 +9,6 @@ import java.util.concurrent.TimeUnit;
 
 /** A screen that nobody sees: an X server that keeps its pixels in a file, which is read instead of taking a screenshot. */
 final class VirtualScreen implements AutoCloseable {
-    private static final long PATIENCE_SECONDS = 30;
-
     /** Places of numbers in the header of an X window dump, all with the highest byte first. */
     private static final int HEADER_SIZE = 0;
     private static final int WIDTH = 16;
@@ -36,7 +34,7 @@ final class VirtualScreen implements AutoCloseable {
             "-nolisten", "tcp",
             "-fbdir", folder.toString()).redirectOutput(number.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD).start();
         try {
-            Patience.await("a virtual screen", PATIENCE_SECONDS, () -> Files.readString(number).endsWith("\n"));
+            Patience.await("virtual screen", () -> Files.readString(number).endsWith("\n"));
             return new VirtualScreen(server, folder.resolve("Xvfb_screen0"), ":" + Files.readString(number).strip());
         } catch (IOException | InterruptedException | AssertionError failure) {
             server.destroyForcibly();
@@ -65,7 +63,7 @@ final class VirtualScreen implements AutoCloseable {
     @Override
     public void close() {
         server.destroy();
-        server.onExit().completeOnTimeout(server, PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+        server.onExit().completeOnTimeout(server, Patience.LIMIT.toMinutes(), TimeUnit.MINUTES).join();
         server.destroyForcibly();
     }
 }

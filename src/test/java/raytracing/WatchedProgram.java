@@ -8,12 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 
 /** The program with its window on a screen, and a {@link PreviewUser} who uses it. */
 final class WatchedProgram implements AutoCloseable {
-    private static final long PATIENCE_SECONDS = 60;
-
     private final Process process;
     private final Writer orders;
     private final BufferedReader answers;
@@ -67,11 +64,8 @@ final class WatchedProgram implements AutoCloseable {
     }
 
     /** Its exit status. */
-    int await() throws InterruptedException, IOException {
-        if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-            throw new AssertionError("still running after " + PATIENCE_SECONDS + " seconds. " + errors());
-        }
-        return process.exitValue();
+    int await() throws InterruptedException {
+        return Patience.awaitEnd(process);
     }
 
     boolean isRunning() {

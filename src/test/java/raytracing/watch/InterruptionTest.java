@@ -1,20 +1,21 @@
 package raytracing.watch;
 
-import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import raytracing.Patience;
 import raytracing.render.Cancellation;
 
 class InterruptionTest {
-    private static final long MILLISECONDS = 300;
-
-    private static Thread ending(Interruption interruption) throws InterruptedException {
+    /** What a thread comes to that has nothing more to do: its end, or a wait without one. */
+    private static Thread.State afterTheEnd(Interruption interruption) throws Exception {
         Thread thread = new Thread(interruption::end);
         thread.setDaemon(true);
         thread.start();
-        thread.join(MILLISECONDS);
-        return thread;
+        Patience.await("end of the thread, or wait", () -> thread.getState() == Thread.State.TERMINATED
+            || thread.getState() == Thread.State.WAITING);
+        return thread.getState();
     }
 
     @Test
@@ -26,14 +27,14 @@ class InterruptionTest {
 
     /** Else its own exit status could take the place of the signal's. */
     @Test
-    void whoDrewStaysWhileASignalEndsTheProgram() throws InterruptedException {
+    void whoDrewStaysWhileASignalEndsTheProgram() throws Exception {
         Interruption interruption = new Interruption(new Cancellation());
         interruption.cancel();
-        assertTrue(ending(interruption).isAlive());
+        assertEquals(Thread.State.WAITING, afterTheEnd(interruption));
     }
 
     @Test
-    void whoDrewGoesOnWithoutASignal() throws InterruptedException {
-        assertFalse(ending(new Interruption(new Cancellation())).isAlive());
+    void whoDrewGoesOnWithoutASignal() throws Exception {
+        assertEquals(Thread.State.TERMINATED, afterTheEnd(new Interruption(new Cancellation())));
     }
 }
