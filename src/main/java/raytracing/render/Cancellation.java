@@ -6,6 +6,7 @@ package raytracing.render;
  */
 public final class Cancellation {
     private volatile boolean requested;
+    private boolean isDrawn;
     private boolean answered;
 
     /** Asks whoever draws to stop. They do after the pixel at hand, and nobody waits long for a slow one. */
@@ -22,6 +23,17 @@ public final class Cancellation {
         return requested;
     }
 
+    /** A part of the picture is drawn from now on: soon after a request, {@link #answer} or {@link #drawn} is called. */
+    synchronized void drawing() {
+        isDrawn = true;
+    }
+
+    /** That part is drawn no more, cancelled or not. */
+    synchronized void drawn() {
+        isDrawn = false;
+        notifyAll();
+    }
+
     /** Nothing is drawn any more; what remains to be done is worth waiting for. */
     synchronized void answer() {
         answered = true;
@@ -29,16 +41,18 @@ public final class Cancellation {
     }
 
     /**
-     * Waits until nothing is drawn any more.
+     * Waits until nothing is drawn any more. What is drawn answers soon, however long that is on a busy machine; what is done
+     * before and between may take seconds.
      *
-     * @param milliseconds for how long at most, at least 1
-     * @return false if something still is
+     * @param milliseconds for how long at most to wait for that, at least 1
+     * @return false if there was no answer
      * @throws InterruptedException if the wait is interrupted
      */
     public synchronized boolean awaitAnswer(long milliseconds) throws InterruptedException {
         long deadline = System.nanoTime() + 1_000_000 * milliseconds;
-        for (long left = milliseconds; !answered && left > 0; left = (deadline - System.nanoTime()) / 1_000_000) {
-            wait(left);
+        for (long left = milliseconds; !answered && (isDrawn || left > 0);
+                left = (deadline - System.nanoTime()) / 1_000_000) {
+            wait(isDrawn ? 0 : left);
         }
         return answered;
     }

@@ -71,6 +71,15 @@ public final class Drawing implements Bands {
      */
     @Override
     public Film band(int index) {
+        cancellation.drawing();
+        try {
+            return drawBand(index);
+        } finally {
+            cancellation.drawn();
+        }
+    }
+
+    private Film drawBand(int index) {
         long start = System.nanoTime();
         int top = region.top() + index * bandHeight;
         Region part = new Region(region.left(), top, region.right(), (int) Math.min(region.bottom(), (long) top + bandHeight));

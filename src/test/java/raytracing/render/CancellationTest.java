@@ -1,0 +1,35 @@
+package raytracing.render;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.FutureTask;
+import org.junit.jupiter.api.Test;
+import raytracing.Patience;
+
+class CancellationTest {
+    private static final long NO_TIME = 1;
+
+    /** On a busy machine, what is kept of a picture must not depend on how soon its threads have their turn. */
+    @Test
+    void anAnswerIsAwaitedForAnyTimeWhileSomethingIsDrawn() throws Exception {
+        Cancellation cancellation = new Cancellation();
+        cancellation.drawing();
+        FutureTask<Boolean> wait = new FutureTask<>(() -> cancellation.awaitAnswer(NO_TIME));
+        Thread thread = new Thread(wait);
+        thread.setDaemon(true);
+        thread.start();
+        Patience.await("wait without a limit", () -> wait.isDone() || thread.getState() == Thread.State.WAITING);
+        assertFalse(wait.isDone());
+        cancellation.answer();
+        assertTrue(wait.get());
+    }
+
+    @Test
+    void nothingIsAwaitedForLongWhereNothingIsDrawn() throws Exception {
+        Cancellation cancellation = new Cancellation();
+        cancellation.drawing();
+        cancellation.drawn();
+        assertFalse(cancellation.awaitAnswer(NO_TIME));
+    }
+}
