@@ -57,7 +57,7 @@ public enum TimedScene {
         boolean isThere();
 
         static Origin course(String name) {
-            return new Written(Path.of("..", "shared", "scenes", name + ".txt"));
+            return new Written(Shared.SCENES.resolve(name + ".txt"));
         }
 
         static Origin ours(String name) {

@@ -1,8 +1,6 @@
 package raytracing;
 
 import java.io.PrintStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import raytracing.compiled.ShadowMode;
@@ -14,23 +12,18 @@ import raytracing.render.RenderSettings;
  * missing.
  */
 final class CourseScenes {
-    private static final Path FOLDER = Path.of("..", "shared", "scenes");
     private static final ShadowMode GLASS = ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT;
     private static final ShadowMode OPAQUE = ShadowMode.ALL_SURFACES_STOP_LIGHT;
 
     private CourseScenes() {
     }
 
-    static boolean areThere() {
-        return Files.isDirectory(FOLDER);
-    }
-
     /** Draws a scene, 500 x 500 with seed 1, and compares it with a picture, a path in the folder. */
     static PictureDifference difference(String scene, ShadowMode shadowMode, String picture) throws Exception {
         RenderSettings settings = RenderSettings.DEFAULT.withShadowMode(shadowMode);
         return new PictureDifference(
-            RayTracer.renderScene(RayTracer.parseScene(FOLDER.resolve(scene + ".txt")), settings).toImage(),
-            ImageIO.read(FOLDER.resolve(picture).toFile()));
+            RayTracer.renderScene(RayTracer.parseScene(Shared.SCENES.resolve(scene + ".txt")), settings).toImage(),
+            ImageIO.read(Shared.SCENES.resolve(picture).toFile()));
     }
 
     /**

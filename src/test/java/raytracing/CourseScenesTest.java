@@ -1,21 +1,17 @@
 package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracing.compiled.ShadowMode;
 
-/** Holds our pictures of the course's scenes to both sets of pictures. Skips, and says so, where they are missing. */
+/** Holds our pictures of the course's scenes to both sets of pictures. Skips where they are missing. */
 class CourseScenesTest {
     @BeforeEach
     void scenesAreThere() {
-        if (!CourseScenes.areThere()) {
-            System.err.println("SKIPPED: the course's scenes are not beside the checkout");
-        }
-        assumeTrue(CourseScenes.areThere(), "the course's scenes are not beside the checkout");
+        Shared.require(Shared.SCENES);
     }
 
     @ParameterizedTest

@@ -1,7 +1,6 @@
 package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,10 +17,7 @@ class OtherJavaTest {
     @Test
     void everyInstalledJavaDrawsTheSameFiles(@TempDir Path folder) throws Exception {
         List<Path> others = otherJavas();
-        if (others.isEmpty()) {
-            System.err.println("SKIPPED: no other Java from 17 on is installed beside " + Program.JAVA_HOME.getFileName());
-        }
-        assumeFalse(others.isEmpty(), "no other Java from 17 on is installed beside this one");
+        Skipped.unless(!others.isEmpty(), "no other Java from 17 on is installed beside " + Program.JAVA_HOME.getFileName());
         for (Path scene : CommittedScenesTest.scenes().toList()) {
             Path expected = drawn(Program.JAVA_HOME, scene, folder);
             for (Path other : others) {

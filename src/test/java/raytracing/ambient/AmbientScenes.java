@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import raytracing.RayTracer;
 import raytracing.SceneText;
+import raytracing.Shared;
 import raytracing.color.Color;
 import raytracing.parse.RayTracerException;
 import raytracing.scene.Material;
@@ -13,7 +14,7 @@ import raytracing.scene.Scene;
 
 /** Scenes whose ambient light is known, or found by brute force. In all of them ambient colours are the diffuse ones. */
 public final class AmbientScenes {
-    private static final Path ROOM1 = Path.of("..", "shared", "scenes", "Room1.txt");
+    private static final Path ROOM1 = Shared.SCENES.resolve("Room1.txt");
 
     private AmbientScenes() {
     }

@@ -1,16 +1,14 @@
 package raytracing.numerics;
 
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
-
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
+import raytracing.Shared;
 import raytracing.math.Vector;
 
 /**
@@ -18,18 +16,11 @@ import raytracing.math.Vector;
  * Its numbers are read from the hexadecimal columns, where there is one.
  */
 record Row(Shape shape, Map<String, String> columns) {
-    private static final Path FOLDER = Path.of("..", "shared", "numerics");
-    private static final String MISSING = "the tables of exact answers are not beside the checkout";
-
-    /** Skips the test that asks, and says so, where the tables are missing. */
+    /** Skips the test that asks where the tables are missing. */
     static List<Row> of(Shape shape) {
-        Path table = FOLDER.resolve(shape.name().toLowerCase(Locale.ROOT) + ".csv");
-        if (!Files.exists(table)) {
-            System.err.println("SKIPPED: " + MISSING);
-        }
-        assumeTrue(Files.exists(table), MISSING);
+        Shared.require(Shared.NUMERICS);
         try {
-            List<String> lines = Files.readAllLines(table);
+            List<String> lines = Files.readAllLines(Shared.NUMERICS.resolve(shape.name().toLowerCase(Locale.ROOT) + ".csv"));
             String[] names = lines.get(0).split(",");
             return lines.stream().skip(1).map(line -> new Row(shape, columns(names, line.split(",", -1)))).toList();
         } catch (IOException unreadable) {

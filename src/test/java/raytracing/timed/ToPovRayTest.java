@@ -3,7 +3,6 @@ package raytracing.timed;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import raytracing.SceneText;
+import raytracing.Skipped;
 
 class ToPovRayTest {
     private static final List<String> SCENE = List.of(
@@ -58,11 +58,7 @@ class ToPovRayTest {
 
     @Test
     void povRayTakesIt(@TempDir Path folder) throws Exception {
-        boolean installed = isInstalled();
-        if (!installed) {
-            System.err.println("SKIPPED: POV-Ray is not installed; apt-get install -y povray");
-        }
-        assumeTrue(installed, "POV-Ray is not installed");
+        Skipped.unless(isInstalled(), "POV-Ray is not installed; apt-get install -y povray");
         Path file = Files.writeString(folder.resolve("scene.pov"), translated());
         Path picture = folder.resolve("picture.png");
         Path output = folder.resolve("output");
