@@ -3,7 +3,8 @@ package raytracing.nasty;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /** The first of the scenes that {@code gradle nastyScenes} draws by the hundred thousand. */
@@ -12,11 +13,9 @@ class NastyScenesTest {
 
     @Test
     void everyPixelOfEverySceneIsLight() {
-        Map<Long, String> defects = new TreeMap<>();
-        for (long seed = 1; seed <= SCENES; seed++) {
-            long which = seed;
-            NastyDrawing.defect(NastyScene.of(seed)).ifPresent(defect -> defects.put(which, defect));
-        }
+        Map<Long, String> defects = new ConcurrentSkipListMap<>();
+        LongStream.rangeClosed(1, SCENES).parallel().forEach(seed ->
+            NastyDrawing.defect(NastyScene.of(seed)).ifPresent(defect -> defects.put(seed, defect)));
         assertEquals(Map.of(), defects);
     }
 
