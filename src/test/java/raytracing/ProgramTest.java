@@ -142,7 +142,7 @@ class ProgramTest {
         if (Files.exists(device)) {
             Files.createSymbolicLink(folder.resolve("out.png"), device);
             Program program = run("scene.txt", "out.png", "4", "4");
-            assertEquals("out.png: exists and may not be replaced" + System.lineSeparator(), program.errors());
+            assertEquals("out.png: is a link to /dev/null: exists and may not be replaced" + System.lineSeparator(), program.errors());
             assertEquals(2, program.status());
             assertFalse(Files.isRegularFile(device));
             Files.delete(folder.resolve("out.png"));

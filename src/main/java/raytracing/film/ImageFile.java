@@ -4,11 +4,15 @@ import java.awt.image.BufferedImage;
 import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Optional;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -18,59 +22,101 @@ import javax.imageio.stream.ImageOutputStream;
 
 /**
  * A picture file that appears under its name whole or not at all: it is written beside it under another name, and
- * renamed when complete. Whatever stood there before stays until then.
+ * renamed when complete. Whatever stood there before stays until then, and its mode, group and owner go over.
  */
 public final class ImageFile {
     private static final float JPEG_QUALITY = 0.95f;
     private static final String UNFINISHED = ".unfinished-picture-";
 
+    /** How many links in a row are followed: as many as Linux follows. */
+    private static final int MOST_LINKS = 40;
+
+    private final Path name;
     private final Path path;
     private final ImageFormat format;
 
     /**
      * A file that may not exist yet.
      *
-     * @param path where; a link is followed, so that what it points to is replaced and not the link
+     * @param name where; a link is followed, so that what it leads to is created or replaced and not the link
      * @param format what to write, whatever the name says
      */
-    public ImageFile(Path path, ImageFormat format) {
-        this.path = followed(path);
+    public ImageFile(Path name, ImageFormat format) {
+        this.name = name;
+        path = followed(name);
         this.format = format;
     }
 
-    private static Path followed(Path path) {
+    /** Link by link, because nothing need exist at the end. */
+    private static Path followed(Path name) {
+        Path place = name;
         try {
-            return path.toRealPath();
-        } catch (IOException notThereYet) {
-            return path.toAbsolutePath();
+            for (int i = 0; i < MOST_LINKS && Files.isSymbolicLink(place); i++) {
+                place = place.resolveSibling(Files.readSymbolicLink(place));
+            }
+        } catch (IOException unreadable) {
+            return name;                     // which is then an obstacle
         }
+        return place;
     }
 
     /**
-     * Finds out, before any work is done, why this file could not be written.
+     * Finds out, before any work is done, why this file could not be written. Creates an empty file beside it, and deletes
+     * it: only so is it known what the file system allows.
      *
+     * @param scene the file that the picture is drawn from, and is not to replace
      * @return what is in the way, a sentence without the file's name; none if nothing is
+     * @throws IOException if the machine fails, as a full disk does
      */
-    public Optional<String> obstacle() {
-        Path folder = folder();
-        if (!Files.isDirectory(folder)) {
-            return Optional.of("no such folder");
+    public Optional<String> obstacle(Path scene) throws IOException {
+        Optional<String> obstacle = Files.isDirectory(folder()) ? obstacleInFolder(scene) : Optional.of("no such folder");
+        return obstacle.isEmpty() || path.equals(name) ? obstacle
+            : Optional.of("is a link to " + path + ": " + obstacle.get());
+    }
+
+    private Optional<String> obstacleInFolder(Path scene) throws IOException {
+        boolean isNew = false;
+        try {
+            Optional<String> obstacle = obstacle(Files.readAttributes(name, BasicFileAttributes.class), scene);
+            if (obstacle.isPresent()) {
+                return obstacle;
+            }
+        } catch (NoSuchFileException none) {
+            isNew = true;
+        } catch (FileSystemException refused) {      // a name that is too long, a link that may not be followed
+            return Optional.of(refused.getReason() == null ? "access denied" : refused.getReason());
         }
-        if (!Files.isWritable(folder)) {
+        Path own = unfinished();
+        try {
+            Files.createFile(own);
+        } catch (AccessDeniedException forbidden) {
             return Optional.of("may not write in this folder");
         }
-        if (Files.isDirectory(path)) {
+        try {
+            return isNew || !new OlderFile(path).isProtected(own) ? Optional.empty()
+                : Optional.of("belongs to another user, who alone may replace it in this folder; give the picture another name");
+        } finally {
+            Files.delete(own);
+        }
+    }
+
+    private Optional<String> obstacle(BasicFileAttributes older, Path scene) throws IOException {
+        if (older.isDirectory()) {
             return Optional.of("is a folder, expected a file name");
         }
-        if (Files.exists(path) && !(Files.isRegularFile(path) && Files.isWritable(path))) {
-            return Optional.of("exists and may not be replaced");
+        if (Files.exists(scene) && Files.isSameFile(scene, name)) {
+            return Optional.of("is the scene itself, which the picture would replace; give the picture another name");
         }
-        return Optional.empty();
+        return older.isRegularFile() && Files.isWritable(name) ? Optional.empty()
+            : Optional.of("exists and may not be replaced");
     }
 
     private Path folder() {
-        Path parent = path.getParent();
-        return parent == null ? path : parent;
+        return path.resolveSibling("");
+    }
+
+    private Path unfinished() {
+        return path.resolveSibling(UNFINISHED + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX));
     }
 
     /**
@@ -116,15 +162,24 @@ public final class ImageFile {
      */
     public void write(Bands bands) throws IOException {
         RenderedImage image = image(bands);
-        Path unfinished = folder().resolve(UNFINISHED + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX));
+        Path unfinished = unfinished();
         unfinished.toFile().deleteOnExit();  // also when a signal ends the program while it writes
         try {
-            try (OutputStream stream = Files.newOutputStream(unfinished, StandardOpenOption.CREATE_NEW)) {
+            try (OutputStream stream = created(unfinished)) {
                 encode(image, stream);
             }
             moveIntoPlace(unfinished);
         } finally {
             Files.deleteIfExists(unfinished);
+        }
+    }
+
+    private OutputStream created(Path unfinished) throws IOException {
+        try {
+            return Files.exists(path) ? new OlderFile(path).createSuccessor(unfinished)
+                : Files.newOutputStream(unfinished, StandardOpenOption.CREATE_NEW);
+        } catch (NoSuchFileException gone) {
+            throw new FileSystemException(path.toString(), null, "its folder is no longer there");
         }
     }
 

@@ -51,10 +51,7 @@ public final class Session {
     }
 
     private Outcome draw() throws RayTracerException, IOException {
-        Optional<String> obstacle = file.obstacle();
-        if (obstacle.isPresent()) {
-            throw new RayTracerException(command.output() + ": " + obstacle.get());
-        }
+        refuseOutputThatCannotBe();
         Thread encoder = file.prepare();
         Scene scene = SceneParser.parseFile(command.scene());
         parsingNanoseconds = System.nanoTime() - start;
@@ -71,6 +68,18 @@ public final class Session {
             preview.get().awaitClosed();
         }
         return outcome;
+    }
+
+    private void refuseOutputThatCannotBe() throws RayTracerException, IOException {
+        Optional<String> obstacle;
+        try {
+            obstacle = file.obstacle(command.scene());
+        } catch (IOException failure) {
+            throw new IOException(messages.failed(failure));
+        }
+        if (obstacle.isPresent()) {
+            throw new RayTracerException(command.output() + ": " + obstacle.get());
+        }
     }
 
     private Outcome draw(Scene scene, Optional<Preview> preview) throws IOException {

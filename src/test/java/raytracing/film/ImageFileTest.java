@@ -130,7 +130,7 @@ class ImageFileTest {
     }
 
     @Test
-    void obstaclesAreFoundBeforeAnyWork() throws IOException {
+    void obstaclesAreFoundBeforeAnyWorkWhichLeavesNothing() throws IOException {
         Path existing = Files.writeString(folder.resolve("older.png"), "older");
         assertEquals(Optional.empty(), obstacle(existing));
         assertEquals(Optional.empty(), obstacle(folder.resolve("new.png")));
@@ -138,10 +138,21 @@ class ImageFileTest {
         assertEquals(Optional.of("no such folder"), obstacle(existing.resolve("new.png")));
         assertEquals(Optional.of("is a folder, expected a file name"), obstacle(folder));
         assertEquals(Optional.of("exists and may not be replaced"), obstacle(Path.of("/dev/null")));
+        assertEquals(List.of("older.png"), Folders.names(folder));
     }
 
-    private static Optional<String> obstacle(Path path) {
-        return new ImageFile(path, ImageFormat.PNG).obstacle();
+    private Optional<String> obstacle(Path path) throws IOException {
+        return new ImageFile(path, ImageFormat.PNG).obstacle(folder.resolve("scene.txt"));
+    }
+
+    @Test
+    void aFolderThatIsGoneIsSaid() throws IOException {
+        Path gone = Files.createDirectory(folder.resolve("gone"));
+        ImageFile file = new ImageFile(gone.resolve("picture.png"), ImageFormat.PNG);
+        assertEquals(Optional.empty(), file.obstacle(folder.resolve("scene.txt")));
+        Files.delete(gone);
+        IOException failure = assertThrows(IOException.class, () -> file.write(film()));
+        assertTrue(failure.getMessage().endsWith("its folder is no longer there"), failure.getMessage());
     }
 
     @ParameterizedTest
