@@ -1,5 +1,6 @@
 package raytracing.command;
 
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -54,6 +55,9 @@ public final class CommandLine {
     private static final String FOUR_NUMBERS = "(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
+
+    /** What Java makes of letters of the command line or of a folder's name that the locale does not have. */
+    private static final char LOST_LETTER = '\ufffd';
 
     /** As in a scene file. */
     private static final int LARGEST_SHADOW_RAY_ROOT = 1024;
@@ -264,11 +268,23 @@ public final class CommandLine {
         return new Region((int) x, (int) y, (int) (x + width), (int) (y + height));
     }
 
+    /** A file that is found is the one that is meant, even if its name holds what else stands for a lost letter. */
     private static Path path(String name) throws RayTracerException {
+        boolean isRead = name.indexOf(LOST_LETTER) < 0;
         try {
-            return Path.of(name);
+            Path path = Path.of(name);
+            boolean isFolderRead = path.isAbsolute() || System.getProperty("user.dir").indexOf(LOST_LETTER) < 0;
+            if (isRead && isFolderRead || Files.exists(path)) {
+                return path;
+            }
         } catch (InvalidPathException invalid) {
-            throw new RayTracerException(name + ": no valid file name");
+            if (isRead) {
+                throw new RayTracerException(name + ": no valid file name");
+            }
         }
+        String what = name + ": Java cannot read all letters of " + (isRead ? "the folder that it runs in" : "this name");
+        throw new RayTracerException(what + ("UTF-8".equals(System.getProperty("native.encoding"))
+            ? ", which is not in UTF-8 as this locale is; rename it"
+            : " in this locale; begin the command with LC_ALL=C.UTF-8"));
     }
 }
