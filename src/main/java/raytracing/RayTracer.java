@@ -37,7 +37,12 @@ public final class RayTracer {
      * @param arguments the command line
      */
     public static void main(String[] arguments) {
-        System.exit(run(arguments));
+        int status = run(arguments);
+        if (status == MACHINE_FAILED) {
+            // If a signal is ending the program, an exit would wait for that for ever, and that waits for this thread.
+            Runtime.getRuntime().halt(status);
+        }
+        System.exit(status);
     }
 
     /** Whatever happens, the user gets sentences on standard error and never a stack trace. */

@@ -64,8 +64,9 @@ public final class Interruption {
     }
 
     /**
-     * Nothing remains to be done. While a signal ends the program, this does not return: a virtual machine that has run its
-     * hooks would take the status of whoever asked for an exit last.
+     * Nothing remains to be done, and nothing went wrong: a failure has a sentence and a status of its own, which are more than
+     * the signal's. While a signal ends the program, this does not return: a virtual machine that has run its hooks would
+     * take the status of whoever asked for an exit last.
      */
     public synchronized void end() {
         isOver = true;

@@ -58,12 +58,8 @@ public final class Session {
         Optional<Preview> preview = command.wants(Extra.PREVIEW) ? Preview.open(command.output().toString(),
             command.settings().region(), cancellation, encoder) : Optional.empty();
         Interruption interruption = Interruption.install(cancellation);
-        Outcome outcome;
-        try {
-            outcome = draw(scene, preview);
-        } finally {
-            interruption.end();
-        }
+        Outcome outcome = draw(scene, preview);
+        interruption.end();
         if (outcome == Outcome.FINISHED && preview.isPresent()) {
             preview.get().awaitClosed();
         }
