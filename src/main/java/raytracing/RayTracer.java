@@ -60,9 +60,26 @@ public final class RayTracer {
             return failed(MACHINE_FAILED, List.of(reason(failure)));
         } catch (OutOfMemoryError tooLarge) {
             return failed(MACHINE_FAILED, List.of(shortage(tooLarge)));
-        } catch (RuntimeException | StackOverflowError defect) {
-            return failed(MACHINE_FAILED, List.of("this is a defect of the program, please report it: " + defect));
+        } catch (RuntimeException | Error unforeseen) {
+            return failed(MACHINE_FAILED, List.of(unforeseen(unforeseen)));
         }
+    }
+
+    /** Needs no class of the program: it may be one that is missing. */
+    private static String unforeseen(Throwable thrown) {
+        Throwable cause = thrown;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        if (String.valueOf(cause.getMessage()).contains("Too many open files")) {
+            return "the system allows too few open files; after ulimit -n 64 there are enough";
+        }
+        if (!(thrown instanceof LinkageError)) {
+            return "this is a defect of the program, please report it: " + thrown;
+        }
+        return ModuleLayer.boot().findModule("java.desktop").isEmpty()
+            ? "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
+            : "a part of Java or of the program cannot be loaded (" + cause + "); install it again, and leave it while it runs";
     }
 
     /** Virtual machines also call it memory if the system gives them no more threads. */

@@ -10,8 +10,11 @@ import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.shade.AmbientLight;
 
-/** What is said on standard error about a picture: one sentence when it begins, one when it ends. */
-public final class Messages {
+/**
+ * What is said on standard error about a picture: one sentence when it begins, one when it ends, and one if a thread fails for
+ * whose end no other one waits.
+ */
+public final class Messages implements Thread.UncaughtExceptionHandler {
     private static final long MILLION = 1_000_000;
 
     /** From here on, seconds are easier to read. */
@@ -20,6 +23,7 @@ public final class Messages {
     private final String output;
     private final ImageFormat format;
     private final RenderSettings settings;
+    private boolean isLossSaid;
 
     /**
      * Messages about a picture.
@@ -89,6 +93,21 @@ public final class Messages {
      */
     public String failed(IOException failure) {
         return output + ": could not be written: " + reason(failure) + "; the file is as it was";
+    }
+
+    /**
+     * Says, once, that a thread failed for whose end no other one waits. Such threads only show how far the picture is, which is
+     * drawn all the same; the window's goes on after a failure and may fail each time it paints.
+     *
+     * @param thread that ended
+     * @param thrown why
+     */
+    @Override
+    public synchronized void uncaughtException(Thread thread, Throwable thrown) {
+        if (!isLossSaid) {
+            isLossSaid = true;
+            System.err.println(output + ": drawing goes on without its thread " + thread.getName() + " (" + thrown + ")");
+        }
     }
 
     /**

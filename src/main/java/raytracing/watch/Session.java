@@ -27,6 +27,7 @@ public final class Session {
         this.command = command;
         messages = new Messages(command.output().toString(), command.format(), command.settings());
         file = new ImageFile(command.output(), command.format());
+        Thread.setDefaultUncaughtExceptionHandler(messages);
     }
 
     /**
