@@ -79,7 +79,7 @@ public final class RayTracer {
         }
         return ModuleLayer.boot().findModule("java.desktop").isEmpty()
             ? "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
-            : "a part of Java or of the program cannot be loaded (" + cause + "); install it again, and leave it while it runs";
+            : "a part of Java or of the program cannot be loaded (" + cause + "); if none was replaced now, install both again";
     }
 
     /** Virtual machines also call it memory if the system gives them no more threads. */

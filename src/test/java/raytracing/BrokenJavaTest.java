@@ -51,7 +51,7 @@ class BrokenJavaTest {
             "exec 3> scene", "head -c $(stat -c %s own.jar) /dev/zero > own.jar", "cat scene.txt >&3", "exec 3>&-",
             "wait $program");
         assertTrue(shell.text().matches("a part of Java or of the program cannot be loaded \\(.*\\); "
-            + "install it again, and leave it while it runs\n"), shell.text());
+            + "if none was replaced now, install both again\n"), shell.text());
         assertEquals(1, shell.status());
         assertFalse(Files.exists(folder.resolve("out.png")));
     }

@@ -40,10 +40,13 @@ public final class Drawing implements Bands {
         progress = new Progress(region.pixelCount(), settings.sampling());
     }
 
-    /** Whole tiles, as many as are allowed. */
+    /** All rows if so many are allowed, else whole tiles. */
     static int bandHeight(Region region, int tileSize) {
+        if (region.pixelCount() <= MOST_PIXELS_IN_A_BAND) {
+            return region.height();
+        }
         long rows = MOST_PIXELS_IN_A_BAND / region.width();
-        return (int) Math.min(region.height(), Math.max(1, rows > tileSize ? rows - rows % tileSize : rows));
+        return (int) Math.max(1, rows > tileSize ? rows - rows % tileSize : rows);
     }
 
     @Override

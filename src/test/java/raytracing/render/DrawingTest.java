@@ -71,9 +71,10 @@ class DrawingTest {
     }
 
     @ParameterizedTest(name = "{0} x {1} with tiles of {2}: {3}")
-    @CsvSource({"500, 500, 16, 500", "2048, 2048, 16, 2048", "3000, 3000, 16, 1392", "30000, 30000, 16, 128",
+    @CsvSource({"500, 500, 16, 500", "2048, 2048, 16, 2048", "2048, 2049, 16, 2048", "1000, 4194, 16, 4194",
+        "3, 1398101, 16, 1398101", "3000, 3000, 16, 1392", "30000, 30000, 16, 128",
         "4194304, 7, 16, 1", "1000000, 7, 16, 4", "700000000, 2, 16, 1"})
-    void aBandIsOfWholeTilesWithinTheBound(int width, int height, int tileSize, int expected) {
+    void aBandIsTheWholePictureOrWholeTilesWithinTheBound(int width, int height, int tileSize, int expected) {
         assertEquals(expected, Drawing.bandHeight(Region.whole(width, height), tileSize));
     }
 
