@@ -2,7 +2,6 @@ package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -73,7 +72,7 @@ class OutputFileTest {
 
     @Test
     void aReplacedPictureKeepsOwnerAndGroupIfRootDrawsIt() throws Exception {
-        assumeTrue(shell("touch out.png && chown 12345:54321 out.png").status() == 0, "SKIPPED: only root may do this");
+        Skipped.unless(shell("touch out.png && chown 12345:54321 out.png").status() == 0, "only root may give files away");
         assertEquals("12345 54321\n", shell(draw("scene.txt", "out.png"), "stat -c '%u %g' out.png").text());
     }
 
@@ -91,10 +90,7 @@ class OutputFileTest {
     private void assumeOtherUsers() throws Exception {
         boolean possible = Shell.has("setpriv") && shell("[ $(id -u) = 0 ] && chmod 755 . && "
             + "setpriv --reuid=12345 --regid=12345 --clear-groups \"$JAVA\" -jar \"$JAR\" --version").status() == 0;
-        if (!possible) {
-            System.err.println("SKIPPED: only root can try what other users may do, with setpriv and a jar they can read");
-        }
-        assumeTrue(possible, "not root, or no setpriv");
+        Skipped.unless(possible, "only root can try what other users may do, with setpriv and a jar they can read");
     }
 
     /** As in /tmp; without the sticky bit, whoever may write in the folder may replace the file. */
@@ -122,7 +118,7 @@ class OutputFileTest {
     @Test
     void aFileSystemThatIsOnlyForReadingIsSaidBeforeAnythingIsDrawn() throws Exception {
         Shell mount = shell("mkdir disk && mount -t tmpfs -o ro tmpfs disk");
-        assumeTrue(mount.status() == 0, "SKIPPED: may not mount a disk here: " + mount.text());
+        Skipped.unless(mount.status() == 0, "no disk may be mounted here, so none is only for reading");
         Shell shell = shell(draw("no.txt", "disk/out.png"), "status=$?", "umount disk", "exit $status");
         assertEquals("disk/out.png: could not be written: Read-only file system; the file is as it was\n", shell.text());
         assertEquals(1, shell.status());
