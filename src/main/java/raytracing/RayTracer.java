@@ -9,6 +9,7 @@ import raytracing.command.Command;
 import raytracing.command.CommandLine;
 import raytracing.film.Film;
 import raytracing.film.ImageFile;
+import raytracing.parse.Printable;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.RenderSettings;
@@ -125,7 +126,7 @@ public final class RayTracer {
 
     private static int failed(int status, List<String> messages) {
         for (String message : messages) {
-            System.err.println(message);
+            System.err.println(Printable.of(message));
         }
         return status;
     }

@@ -7,7 +7,6 @@ import java.util.List;
 /** Collects what is wrong with a scene file, so that its author can mend it all at once. */
 final class Problems {
     private static final int MOST_LISTED = 20;
-    private static final int LONGEST_QUOTE = 40;
 
     /** Sorts after every line: what concerns the whole file comes last. */
     private static final int WHOLE_FILE = Integer.MAX_VALUE;
@@ -23,12 +22,12 @@ final class Problems {
     }
 
     void add(int line, String code, String message) {
-        problems.add(new Problem(line, fileName + ":" + line + ": " + printable(code) + ": " + message));
+        problems.add(new Problem(line, fileName + ":" + line + ": " + Printable.quote(code) + ": " + message));
     }
 
     /** Says what a value must be instead of what it is. */
     static String refusal(String name, String expected, String got) {
-        return name + " must be " + expected + ", got " + printable(got);
+        return name + " must be " + expected + ", got " + Printable.quote(got);
     }
 
     void addForWholeFile(String code, String message) {
@@ -49,12 +48,5 @@ final class Problems {
             messages.add(fileName + ": and " + (problems.size() - MOST_LISTED) + " more");
         }
         throw new RayTracerException(messages);
-    }
-
-    /** A piece of the file, safe to show on a terminal and short enough to read. */
-    static String printable(String piece) {
-        StringBuilder shown = new StringBuilder();
-        piece.codePoints().limit(LONGEST_QUOTE).forEach(c -> shown.appendCodePoint(Character.isISOControl(c) ? '?' : c));
-        return piece.codePointCount(0, piece.length()) > LONGEST_QUOTE ? shown + "..." : shown.toString();
     }
 }

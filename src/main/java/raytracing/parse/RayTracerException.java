@@ -1,5 +1,6 @@
 package raytracing.parse;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** What the user gave is wrong: a scene or a command. Each message is a sentence of one line that says what to mend. */
@@ -11,11 +12,11 @@ public final class RayTracerException extends Exception {
     /**
      * Several things are wrong.
      *
-     * @param messages one line each, at least one
+     * @param messages one line each, at least one; what could not be seen in them is shown as {@link Printable} does
      */
     public RayTracerException(List<String> messages) {
-        super(String.join(System.lineSeparator(), messages));
-        this.messages = List.copyOf(messages);
+        super(String.join(System.lineSeparator(), printable(messages)));
+        this.messages = List.copyOf(printable(messages));
     }
 
     /**
@@ -25,6 +26,14 @@ public final class RayTracerException extends Exception {
      */
     public RayTracerException(String message) {
         this(List.of(message));
+    }
+
+    private static List<String> printable(List<String> messages) {
+        List<String> printable = new ArrayList<>();
+        for (String message : messages) {
+            printable.add(Printable.of(message));
+        }
+        return printable;
     }
 
     /**

@@ -247,7 +247,7 @@ public final class SceneParser {
 
         private String surplus(Values found) {
             int most = counts[counts.length - 1];
-            return found.count() > most ? ", first surplus value " + Problems.printable(found.token(most + 1)) : "";
+            return found.count() > most ? ", first surplus value " + Printable.quote(found.token(most + 1)) : "";
         }
     }
 

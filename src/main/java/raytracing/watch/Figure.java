@@ -2,6 +2,7 @@ package raytracing.watch;
 
 import java.util.List;
 import java.util.Locale;
+import raytracing.parse.Printable;
 
 /** One thing that is known about a picture, in words for people and as a JSON value (RFC 8259) for programs. */
 sealed interface Figure {
@@ -15,7 +16,7 @@ sealed interface Figure {
     record Name(String name) implements Figure {
         @Override
         public String text() {
-            return name;
+            return Printable.of(name);
         }
 
         @Override

@@ -5,6 +5,7 @@ import java.util.Optional;
 import raytracing.command.Command;
 import raytracing.command.Extra;
 import raytracing.film.ImageFile;
+import raytracing.parse.Printable;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.Cancellation;
@@ -112,7 +113,8 @@ public final class Session {
     private boolean write(Drawing drawing) throws IOException {
         boolean isQuiet = command.wants(Extra.QUIET);
         Optional<ProgressLine> line = !isQuiet && ProgressLine.isWanted()
-            ? Optional.of(ProgressLine.begin(command.output().toString(), drawing, start)) : Optional.empty();
+            ? Optional.of(ProgressLine.begin(Printable.of(command.output().toString()), drawing, start))
+            : Optional.empty();
         if (line.isEmpty()) {
             say(messages.begun(command.scene().toString()));
         }
@@ -132,7 +134,7 @@ public final class Session {
 
     private void say(String sentence) {
         if (!command.wants(Extra.QUIET)) {
-            System.err.println(sentence);
+            System.err.println(Printable.of(sentence));
         }
     }
 

@@ -55,7 +55,7 @@ public final class AnyBytes {
             && messages.get(MOST_LISTED).matches(FILE + ": and [1-9][0-9]* more"), "more messages than there may be");
         for (String message : messages) {
             claim(message.startsWith(FILE + ":") && message.length() > FILE.length() + 2, "no name of the file", message);
-            claim(message.codePoints().allMatch(AnyBytes::isOfOneLine), "not one line of text", message);
+            claim(message.codePoints().allMatch(AnyBytes::isVisible), "not one line of visible text", message);
             claim(message.length() <= LONGEST_MESSAGE, "too long to read", message);
         }
     }
@@ -63,10 +63,12 @@ public final class AnyBytes {
     /** Twice the quote of forty characters, each maybe of two chars, and the longest list of values of a form. */
     private static final int LONGEST_MESSAGE = 500;
 
-    private static boolean isOfOneLine(int character) {
-        int type = Character.getType(character);
-        return type != Character.CONTROL && type != Character.LINE_SEPARATOR && type != Character.PARAGRAPH_SEPARATOR
-            && type != Character.SURROGATE;
+    private static boolean isVisible(int character) {
+        return switch (Character.getType(character)) {
+            case Character.CONTROL, Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR,
+                Character.SURROGATE, Character.PRIVATE_USE, Character.UNASSIGNED -> false;
+            default -> true;
+        };
     }
 
     private static boolean isUtf16(byte[] bytes) {

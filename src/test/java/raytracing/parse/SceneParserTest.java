@@ -402,7 +402,7 @@ class SceneParserTest {
 
     @Test
     void whatIsQuotedFromTheFileIsShortAndSafeToPrint() {
-        assertEquals("test.txt:4: ?[31m: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
+        assertEquals("test.txt:4: <U+001B>[31m: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
             messages(HEAD + "\u001b[31m\n").get(0));
         String message = messages(HEAD + "sph 0 0 " + "7x".repeat(10_000) + " 1 1\n").get(0);
         assertTrue(message.length() < 120, message);
