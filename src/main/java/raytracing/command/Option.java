@@ -1,6 +1,9 @@
 package raytracing.command;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import raytracing.parse.Spelling;
 
 /** The options of the command line. */
 enum Option {
@@ -44,42 +47,17 @@ enum Option {
         return Optional.empty();
     }
 
-    /**
-     * The option that was probably meant: one that begins like this, or else the nearest by single letters put in, left out
-     * or replaced (Levenshtein, Binary codes capable of correcting deletions, insertions, and reversals, 1966), if at most
-     * a third of it would have to change.
-     */
+    /** The option that was probably meant: one that begins like this, or else the nearest by its spelling. */
     static Optional<Option> nearest(String word) {
         String name = word.replaceFirst("^-+", "");
-        Optional<Option> nearest = Optional.empty();
-        int least = Integer.MAX_VALUE;
+        List<String> names = new ArrayList<>();
         for (Option option : values()) {
-            String right = option.word.substring(2);
-            int distance = !name.isEmpty() && right.startsWith(name) ? 0 : distance(name, right);
-            if (distance < least && 3 * distance <= right.length()) {
-                least = distance;
-                nearest = Optional.of(option);
+            names.add(option.word.substring(2));
+            if (!name.isEmpty() && option.word.startsWith(name, 2)) {
+                return Optional.of(option);
             }
         }
-        return nearest;
-    }
-
-    /** One row of the table of distances of all beginnings after the other. */
-    private static int distance(String from, String to) {
-        int[] row = new int[to.length() + 1];
-        for (int j = 0; j <= to.length(); j++) {
-            row[j] = j;
-        }
-        for (int i = 1; i <= from.length(); i++) {
-            int diagonal = row[0];
-            row[0] = i;
-            for (int j = 1; j <= to.length(); j++) {
-                int replaced = diagonal + (from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1);
-                diagonal = row[j];
-                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-            }
-        }
-        return row[to.length()];
+        return Spelling.nearest(name, names).flatMap(right -> named("--" + right));
     }
 
     /** Whether and how a value follows. */
