@@ -99,7 +99,7 @@ public final class RayTracer {
      * @throws IOException if it cannot be read
      */
     public static Scene parseScene(Path file) throws RayTracerException, IOException {
-        return SceneParser.parseFile(file);
+        return SceneParser.parseFile(file).scene();
     }
 
     /**

@@ -13,7 +13,7 @@ public final class SceneText {
     /** The scene of these lines, which must be right. */
     public static Scene scene(String... lines) {
         try {
-            return SceneParser.parse("test scene", String.join("\n", lines).getBytes(StandardCharsets.UTF_8));
+            return SceneParser.parse("test scene", String.join("\n", lines).getBytes(StandardCharsets.UTF_8)).scene();
         } catch (RayTracerException wrong) {
             throw new AssertionError(wrong.getMessage(), wrong);
         }

@@ -30,6 +30,12 @@ final class DecimalReader {
         this.text = text;
     }
 
+    /** Whether a word is a decimal number, also one too large for a double. */
+    static boolean isDecimal(String word) {
+        byte[] bytes = word.getBytes(StandardCharsets.UTF_8);
+        return !Double.isNaN(new DecimalReader(bytes).read(0, bytes.length));
+    }
+
     /** The number in the bytes from {@code from} to before {@code to}: infinite if too large, NaN if there is none. */
     double read(int from, int to) {
         position = from;

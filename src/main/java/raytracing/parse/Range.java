@@ -22,4 +22,8 @@ record Range(String description, double smallest, double largest) {
     boolean contains(double value) {
         return value >= smallest && value <= largest;
     }
+
+    boolean containsWhole(double value) {
+        return contains(value) && value == Math.rint(value);
+    }
 }

@@ -1,12 +1,8 @@
 package raytracing.parse;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import raytracing.color.Color;
@@ -41,36 +37,23 @@ public final class SceneParser {
      */
     private static final double PARALLEL = 1e-10;
 
-    /** Keeps the numbers of the materials after a line that could not be read; never shown. */
-    private static final Material NO_MATERIAL =
-        new Material(Color.BLACK, Color.BLACK, Color.BLACK, 0, 0, Color.BLACK);
+    private static final int MOST_ERRORS_LISTED = 20;
+    private static final int MOST_WARNINGS_LISTED = 10;
 
-    /** Bytes of a file that are read at once. */
-    private static final int PIECE = 1 << 16;
-
-    private static final String UNKNOWN_CODE = "unknown code, expected cam, set, mtl, sph, pln, box or lgt";
-
-    /** Codes as {@link SceneText#code} packs them. */
-    private static final int CAM = 'c' << 16 | 'a' << 8 | 'm';
-    private static final int SET = 's' << 16 | 'e' << 8 | 't';
-    private static final int MTL = 'm' << 16 | 't' << 8 | 'l';
-    private static final int SPH = 's' << 16 | 'p' << 8 | 'h';
-    private static final int PLN = 'p' << 16 | 'l' << 8 | 'n';
-    private static final int BOX = 'b' << 16 | 'o' << 8 | 'x';
-    private static final int LGT = 'l' << 16 | 'g' << 8 | 't';
-
-    private final Problems problems;
+    private final String fileName;
+    private final SceneText text;
+    private final Findings problems;
+    private final Findings warnings;
     private final Values values;
     private final List<Material> materials = new ArrayList<>();
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
-    private final List<MaterialAhead> materialsAhead = new ArrayList<>();
     private final Single<Camera> camera = new Single<>();
     private final Single<Settings> settings = new Single<>();
-
-    /** A use of a material that no line has defined so far. */
-    private record MaterialAhead(int line, String code, int number) {
-    }
+    private int linesRead;
+    private int unknownLines;
+    private int materialCount;
+    private int largestMaterial;
 
     /** An object that a scene has exactly one of. */
     private static final class Single<T> {
@@ -79,48 +62,23 @@ public final class SceneParser {
     }
 
     private SceneParser(String fileName, byte[] bytes) {
-        problems = new Problems(fileName);
-        values = new Values(new SceneText(bytes), problems);
+        this.fileName = fileName;
+        text = new SceneText(bytes);
+        problems = new Findings(fileName, MOST_ERRORS_LISTED);
+        warnings = new Findings(fileName, MOST_WARNINGS_LISTED);
+        values = new Values(text, problems, warnings);
     }
 
     /**
      * Reads a scene file.
      *
      * @param file where it is
-     * @return the scene it describes
+     * @return the scene it describes, and warnings
      * @throws RayTracerException if there is no such file, or whatever is wrong in it, up to 20 messages
      * @throws IOException if the file is there and cannot be read
      */
-    public static Scene parseFile(Path file) throws RayTracerException, IOException {
-        try {
-            if (Files.isDirectory(file)) {
-                throw new RayTracerException(file + ": is a folder, expected a scene file");
-            }
-            return parse(file.toString(), bytes(file));
-        } catch (NoSuchFileException missing) {
-            throw new RayTracerException(file + ": no such file, expected a scene file");
-        }
-    }
-
-    /**
-     * Large files in pieces: the library, asked for all of a file, makes a second copy of it outside the heap, which
-     * took half as long again (53 instead of 36 ms for 33 MB). What has no size, as a pipe, is left to the library.
-     */
-    private static byte[] bytes(Path file) throws IOException {
-        long size = Files.size(file);
-        if (size <= PIECE || size > Integer.MAX_VALUE) {
-            return Files.readAllBytes(file);
-        }
-        byte[] bytes = new byte[(int) size];
-        int length = 0;
-        try (InputStream stream = Files.newInputStream(file)) {
-            int read = stream.read(bytes, 0, PIECE);
-            while (read > 0) {
-                length += read;
-                read = stream.read(bytes, length, Math.min(PIECE, bytes.length - length));
-            }
-        }
-        return length == bytes.length ? bytes : Arrays.copyOf(bytes, length);
+    public static ParsedScene parseFile(Path file) throws RayTracerException, IOException {
+        return parse(file.toString(), SceneFile.bytes(file));
     }
 
     /**
@@ -128,52 +86,97 @@ public final class SceneParser {
      *
      * @param fileName what messages call it
      * @param bytes the text, as in a file
-     * @return the scene it describes
+     * @return the scene it describes, and warnings
      * @throws RayTracerException whatever is wrong in it, up to 20 messages
      */
-    public static Scene parse(String fileName, byte[] bytes) throws RayTracerException {
-        return new SceneParser(fileName, bytes).scene();
+    public static ParsedScene parse(String fileName, byte[] bytes) throws RayTracerException {
+        return new SceneParser(fileName, bytes).parsed();
     }
 
-    private Scene scene() throws RayTracerException {
+    private ParsedScene parsed() throws RayTracerException {
         while (values.nextLine()) {
+            linesRead++;
             readLine();
         }
-        for (MaterialAhead ahead : materialsAhead) {
-            checkDefined(ahead);
+        if (largestMaterial > materialCount) {
+            checkMaterials();
         }
         checkPresent(camera, "cam");
         checkPresent(settings, "set");
-        problems.throwIfAny();
-        return new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
+        if (!problems.isEmpty()) {
+            throw refusal();
+        }
+        Scene scene = new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
+        return new ParsedScene(scene, warnings.listed());
+    }
+
+    private boolean isCompleteSurface() {
+        return switch (values.code()) {
+            case Codes.SPH -> LineForm.SPH.allows(values.count());
+            case Codes.PLN -> LineForm.PLN.allows(values.count());
+            case Codes.BOX -> LineForm.BOX.allows(values.count());
+            default -> false;
+        };
+    }
+
+    /** A file without any code may be something else altogether. */
+    private RayTracerException refusal() {
+        Optional<String> kind = unknownLines == linesRead ? OtherFile.kind(text) : Optional.empty();
+        return kind.isEmpty() ? new RayTracerException(problems.listed())
+            : new RayTracerException(fileName + ": is " + kind.get() + ", expected a scene file in UTF-8");
     }
 
     private void readLine() {
         switch (values.code()) {
-            case CAM -> readCamera();
-            case SET -> readSettings();
-            case MTL -> materials.add(isComplete(LineForm.MTL) ? material() : NO_MATERIAL);
-            case SPH -> {
+            case Codes.CAM -> readCamera();
+            case Codes.SET -> readSettings();
+            case Codes.MTL -> readMaterial();
+            case Codes.SPH -> {
                 if (isComplete(LineForm.SPH)) {
-                    surfaces.add(sphere());
+                    add(sphere());
                 }
             }
-            case PLN -> {
+            case Codes.PLN -> {
                 if (isComplete(LineForm.PLN)) {
-                    surfaces.add(plane());
+                    add(plane());
                 }
             }
-            case BOX -> {
+            case Codes.BOX -> {
                 if (isComplete(LineForm.BOX)) {
-                    surfaces.add(box());
+                    add(box());
                 }
             }
-            case LGT -> {
-                if (isComplete(LineForm.LGT)) {
-                    lights.add(light());
-                }
+            case Codes.LGT -> readLight();
+            default -> {
+                unknownLines++;
+                values.problem(() -> UnknownCode.message(values.token(0)));
             }
-            default -> values.problem(UNKNOWN_CODE);
+        }
+    }
+
+    /** Of a scene with errors nothing is kept: it will not be drawn, and a million wrong lines need no memory. */
+    private void add(Surface surface) {
+        if (problems.isEmpty()) {
+            surfaces.add(surface);
+        }
+    }
+
+    private void readMaterial() {
+        materialCount++;
+        if (isComplete(LineForm.MTL)) {
+            Material material = material();
+            if (problems.isEmpty()) {
+                materials.add(material);
+            }
+        }
+    }
+
+    private void readLight() {
+        if (isComplete(LineForm.LGT)) {
+            Light light = light();
+            if (problems.isEmpty()) {
+                lights.add(light);
+            }
         }
     }
 
@@ -181,7 +184,8 @@ public final class SceneParser {
     private boolean isComplete(LineForm form) {
         boolean complete = form.allows(values.count());
         if (!complete) {
-            values.problem(form.expectation() + ", got " + values.count() + form.surplus(values));
+            values.problem(() -> form.expectation() + ", got " + values.count() + form.surplus(values)
+                + Hint.about(values.tokens(), form.most()));
         }
         return complete;
     }
@@ -204,7 +208,7 @@ public final class SceneParser {
         if (first) {
             object.line = values.line();
         } else {
-            values.problem("one too many, the first is on line " + object.line + ", expected exactly one");
+            values.problem(() -> "one too many, the first is on line " + object.line + ", expected exactly one");
         }
         return first;
     }
@@ -245,9 +249,12 @@ public final class SceneParser {
             return "expected " + alternatives + " values (" + values + ")";
         }
 
+        private int most() {
+            return counts[counts.length - 1];
+        }
+
         private String surplus(Values found) {
-            int most = counts[counts.length - 1];
-            return found.count() > most ? ", first surplus value " + Printable.quote(found.token(most + 1)) : "";
+            return found.count() > most() ? ", first surplus value " + Printable.quote(found.token(most() + 1)) : "";
         }
     }
 
@@ -270,12 +277,25 @@ public final class SceneParser {
     private void checkView(Camera camera) {
         Vector up = camera.up();
         if (camera.position().minus(camera.lookAt()).isZero()) {
-            values.refuse("look-at", "another point than the position", shown(camera.lookAt()));
+            String other = camera.position().isZero() ? "0 0 1" : "0 0 0";
+            values.refuse("look-at", "another point than the position, such as " + other, shown(camera.lookAt()));
         } else if (up.isZero()) {
-            values.refuse("up", "a direction, not zero", shown(up));
+            values.refuse("up", "a direction, not zero, such as " + upFor(camera.forward()), shown(up));
         } else if (camera.forward().cross(up.unit()).length() <= PARALLEL) {
-            values.refuse("up", "at an angle to the view " + shown(camera.forward()), shown(up));
+            values.refuse("up", "at an angle to the view " + shown(camera.forward()) + ", such as "
+                + upFor(camera.forward()), shown(up));
         }
+    }
+
+    /** The axis that is most nearly perpendicular to a view: of several, y before z before x. */
+    private static String upFor(Vector forward) {
+        double x = Math.abs(forward.x());
+        double y = Math.abs(forward.y());
+        double z = Math.abs(forward.z());
+        if (y <= z && y <= x) {
+            return "0 1 0";
+        }
+        return z <= x ? "0 0 1" : "1 0 0";
     }
 
     private static String shown(Vector vector) {
@@ -333,26 +353,27 @@ public final class SceneParser {
 
     /** The material's place in the list, from 0. Its line may still be ahead. */
     private int materialIndex() {
-        int problemsBefore = values.problemsFound();
         int number = values.wholeNumber("material", Range.WHOLE_FROM_1);
-        if (number > materials.size() && values.problemsFound() == problemsBefore) {
-            materialsAhead.add(new MaterialAhead(values.line(), values.token(0), number));
-        }
+        largestMaterial = Math.max(largestMaterial, number);
         return number - 1;
     }
 
-    private void checkDefined(MaterialAhead ahead) {
-        int defined = materials.size();
-        if (ahead.number > defined) {
-            String expected = defined == 0 ? "that of a mtl line, and there is none" : "from 1 to " + defined;
-            problems.add(ahead.line, ahead.code,
-                Problems.refusal("material", expected, Integer.toString(ahead.number)));
+    /** Reads all surfaces once more if one names a material that no line has: where they stand was not kept. */
+    private void checkMaterials() {
+        String expected = materialCount == 0 ? "that of a mtl line, and there is none" : "from 1 to " + materialCount;
+        values.rewind();
+        while (values.nextLine()) {
+            int last = values.count();
+            if (isCompleteSurface() && values.decimal(last) > materialCount
+                    && Range.WHOLE_FROM_1.containsWhole(values.decimal(last))) {
+                values.refuse("material", expected, Integer.toString((int) values.decimal(last)));
+            }
         }
     }
 
     private void checkPresent(Single<?> object, String code) {
         if (object.line == 0) {
-            problems.addForWholeFile(code, "missing, expected exactly one");
+            problems.addForWholeFile(code + ": missing, expected exactly one");
         }
     }
 }

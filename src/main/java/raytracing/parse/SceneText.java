@@ -1,5 +1,6 @@
 package raytracing.parse;
 
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
@@ -8,8 +9,7 @@ import java.util.Arrays;
  * UTF-16, and any bytes at all in a remark: whatever is no text becomes a replacement character, which only matters
  * where a value should stand.
  *
- * <p>A token is a range of bytes and becomes a string only where somebody asks for one: in a scene of a million
- * surfaces, nobody does.
+ * <p>A token is a range of bytes and becomes a string only for a message.
  */
 final class SceneText {
     private static final byte REMARK = '#';
@@ -18,10 +18,17 @@ final class SceneText {
     private static final int SMALL_BYTE_ORDER_MARK = 0xfffe;
     private static final int TOKENS_OF_A_USUAL_LINE = 16;
 
+    /** Ctrl-Z. */
+    private static final byte END_OF_FILE = 0x1a;
+
+    /** In bytes: far more of a token than any message shows, for a file without white space may be one token. */
+    private static final int LONGEST_STRING = 1000;
+
     /** The first byte of a character of three bytes in UTF-8, and of nothing shorter. */
     private static final int FIRST_OF_THREE = 0xe0;
 
     private final byte[] bytes;
+    private final boolean isMarkedUtf16;
     private final DecimalReader decimals;
     private int position;
     private int lineNumber;
@@ -30,14 +37,37 @@ final class SceneText {
     private int count;
 
     SceneText(byte[] bytes) {
-        this.bytes = isUtf16(bytes)
-            ? new String(bytes, StandardCharsets.UTF_16).getBytes(StandardCharsets.UTF_8) : bytes;
+        isMarkedUtf16 = isUtf16(bytes);
+        this.bytes = withoutEndOfFile(
+            isMarkedUtf16 ? new String(bytes, StandardCharsets.UTF_16).getBytes(StandardCharsets.UTF_8) : bytes);
         decimals = new DecimalReader(this.bytes);
     }
 
     private static boolean isUtf16(byte[] bytes) {
         int first = bytes.length < 2 ? 0 : (bytes[0] & 0xff) << 8 | bytes[1] & 0xff;
         return first == LARGE_BYTE_ORDER_MARK || first == SMALL_BYTE_ORDER_MARK;
+    }
+
+    /** Without the Ctrl-Z, one or more, with which old systems end a text; what stands before them is not touched. */
+    private static byte[] withoutEndOfFile(byte[] bytes) {
+        int end = bytes.length;
+        for (int i = bytes.length - 1; i >= 0 && (bytes[i] == END_OF_FILE || isPlainWhiteSpace(bytes[i])); i--) {
+            if (bytes[i] == END_OF_FILE) {
+                end = i;
+            }
+        }
+        return end == bytes.length ? bytes : Arrays.copyOf(bytes, end);
+    }
+
+    /** Goes back to before the first line. */
+    void rewind() {
+        position = 0;
+        lineNumber = 0;
+    }
+
+    /** Whether a mark at its start said that it is UTF-16. */
+    boolean isMarkedUtf16() {
+        return isMarkedUtf16;
     }
 
     /** Number of the line that {@link #nextLine} read last, from 1. */
@@ -74,9 +104,30 @@ final class SceneText {
         return count;
     }
 
-    /** A token of this line, from 0. */
+    /** A token of this line, from 0; the beginning of it if it is very long. */
     String token(int i) {
-        return new String(bytes, starts[i], ends[i] - starts[i], StandardCharsets.UTF_8);
+        return token(i, StandardCharsets.UTF_8);
+    }
+
+    /** The same with a character for each byte. */
+    String bytesOfToken(int i) {
+        return token(i, StandardCharsets.ISO_8859_1);
+    }
+
+    private String token(int i, Charset charset) {
+        return new String(bytes, starts[i], Math.min(ends[i] - starts[i], LONGEST_STRING), charset);
+    }
+
+    /** Whether a token of this line has a byte of 0, which no text has. */
+    boolean hasZeros() {
+        for (int token = 0; token < count; token++) {
+            for (int i = starts[token]; i < ends[token]; i++) {
+                if (bytes[i] == 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** A token of this line as a decimal number, {@link Double#NaN} if it is none. */
@@ -143,7 +194,11 @@ final class SceneText {
         if (b < 0) {
             return wideWhiteSpaceLength(i);
         }
-        return Character.isWhitespace(b) ? 1 : 0;
+        return isPlainWhiteSpace(b) ? 1 : 0;
+    }
+
+    private static boolean isPlainWhiteSpace(byte b) {
+        return b > 0 && Character.isWhitespace(b);
     }
 
     /**

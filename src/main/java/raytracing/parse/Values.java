@@ -1,7 +1,9 @@
 package raytracing.parse;
 
-import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
 import raytracing.color.Color;
 import raytracing.math.Vector;
 
@@ -14,19 +16,28 @@ final class Values {
     private static final double STAND_IN = 1;
 
     private final SceneText text;
-    private final Problems problems;
+    private final Findings problems;
+    private final Findings warnings;
     private int next;
     private int problemsFound;
+    private boolean areSeparatorsRefused;
 
-    Values(SceneText text, Problems problems) {
+    Values(SceneText text, Findings problems, Findings warnings) {
         this.text = text;
         this.problems = problems;
+        this.warnings = warnings;
+    }
+
+    /** Goes back to before the first line. */
+    void rewind() {
+        text.rewind();
     }
 
     /** Goes to the next line that is not empty; false if there is none. */
     boolean nextLine() {
         next = 1;
         problemsFound = 0;
+        areSeparatorsRefused = false;
         while (text.hasMoreLines()) {
             text.nextLine();
             if (text.count() > 0) {
@@ -53,6 +64,20 @@ final class Values {
     /** The code (0) or a value (from 1) as the file has it. */
     String token(int i) {
         return text.token(i);
+    }
+
+    /** All values of the line as the file has them. */
+    List<String> tokens() {
+        List<String> tokens = new ArrayList<>();
+        for (int i = 1; i < text.count(); i++) {
+            tokens.add(text.token(i));
+        }
+        return tokens;
+    }
+
+    /** A value (from 1) as a decimal number, {@link Double#NaN} if it is none. */
+    double decimal(int i) {
+        return text.decimal(i);
     }
 
     boolean hasMore() {
@@ -93,21 +118,26 @@ final class Values {
         if (Math.abs(value) < Double.POSITIVE_INFINITY && range.contains(value)) {
             return value;
         }
-        refuse(name + part, expected(value, text.token(i), range), text.token(i));
+        refuseNumber(name + part, value, text.token(i), range);
         return STAND_IN;
+    }
+
+    /** Where commas or brackets stand beside the values of a line, this is said once. */
+    private void refuseNumber(String name, double value, String token, Range range) {
+        boolean isSeparated = Double.isNaN(value) && Hint.isSeparated(token);
+        if (!isSeparated || !areSeparatorsRefused) {
+            refuse(name, expected(value, token, range), token);
+        }
+        areSeparatorsRefused |= isSeparated;
     }
 
     /** What a number should have been that is none, or too large, or out of range. */
     private static String expected(double value, String token, Range range) {
         if (Double.isNaN(value)) {
-            return "a decimal number" + (isDecimal(token.replace(',', '.')) ? " with a dot, not a comma" : "");
+            boolean hasComma = !Hint.isSeparated(token) && DecimalReader.isDecimal(token.replace(',', '.'));
+            return "a decimal number" + (hasComma ? " with a dot, not a comma" : "");
         }
         return Double.isInfinite(value) ? "within what a double can hold" : range.description();
-    }
-
-    private static boolean isDecimal(String token) {
-        byte[] bytes = token.getBytes(StandardCharsets.UTF_8);
-        return !Double.isNaN(new DecimalReader(bytes).read(0, bytes.length));
     }
 
     boolean flag(String name) {
@@ -119,8 +149,9 @@ final class Values {
         return word.equals("true");
     }
 
+    /** Says what a value must be instead of what it is. */
     void refuse(String name, String expected, String got) {
-        problem(Problems.refusal(name, expected, got));
+        problem(() -> name + " must be " + expected + ", got " + Printable.quote(got) + Hint.about(got));
     }
 
     /** How many values of this line were refused so far, and replaced by stand-ins. */
@@ -128,8 +159,8 @@ final class Values {
         return problemsFound;
     }
 
-    void problem(String message) {
+    void problem(Supplier<String> message) {
         problemsFound++;
-        problems.add(line(), token(0), message);
+        problems.add(line(), () -> Printable.quote(token(0)) + ": " + message.get());
     }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import raytracing.command.Command;
 import raytracing.command.Extra;
 import raytracing.film.ImageFile;
+import raytracing.parse.ParsedScene;
 import raytracing.parse.Printable;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
@@ -55,12 +56,12 @@ public final class Session {
     private Outcome draw() throws RayTracerException, IOException {
         refuseOutputThatCannotBe();
         Thread encoder = file.prepare();
-        Scene scene = SceneParser.parseFile(command.scene());
+        ParsedScene parsed = SceneParser.parseFile(command.scene());
         parsingNanoseconds = System.nanoTime() - start;
         Optional<Preview> preview = command.wants(Extra.PREVIEW) ? Preview.open(command.output().toString(),
             command.settings().region(), cancellation, encoder) : Optional.empty();
         Interruption interruption = Interruption.install(cancellation);
-        Outcome outcome = draw(scene, preview);
+        Outcome outcome = draw(parsed.scene(), preview);
         interruption.end();
         if (outcome == Outcome.FINISHED && preview.isPresent()) {
             preview.get().awaitClosed();

@@ -20,7 +20,7 @@ class FamilyTest {
             mtl 1 1 1  0 0 0  0 0 0  1 0
             sph 0 0 0  1  1
             %s
-            """.formatted(root, light).getBytes(StandardCharsets.UTF_8));
+            """.formatted(root, light).getBytes(StandardCharsets.UTF_8)).scene();
     }
 
     @Test

@@ -3,6 +3,7 @@ package raytracing.fuzz;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import java.util.Optional;
+import raytracing.parse.ParsedScene;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.scene.Scene;
@@ -15,6 +16,7 @@ import raytracing.scene.Scene;
 public final class AnyBytes {
     private static final String FILE = "any.txt";
     private static final int MOST_LISTED = 20;
+    private static final int MOST_WARNINGS_LISTED = 10;
 
     private AnyBytes() {
     }
@@ -36,13 +38,17 @@ public final class AnyBytes {
         }
     }
 
-    /** A scene, or none and what is wrong. */
+    /** A scene and warnings, or none and what is wrong. */
     private record Answer(Optional<Scene> scene, List<String> messages) {
+        int mostListed() {
+            return scene.isPresent() ? MOST_WARNINGS_LISTED : MOST_LISTED;
+        }
     }
 
     private static Answer answer(byte[] bytes) {
         try {
-            return new Answer(Optional.of(SceneParser.parse(FILE, bytes)), List.of());
+            ParsedScene parsed = SceneParser.parse(FILE, bytes);
+            return new Answer(Optional.of(parsed.scene()), parsed.warnings());
         } catch (RayTracerException wrong) {
             return new Answer(Optional.empty(), wrong.messages());
         }
@@ -51,12 +57,14 @@ public final class AnyBytes {
     private static void checkMessages(Answer answer) {
         List<String> messages = answer.messages;
         claim(answer.scene.isPresent() || !messages.isEmpty(), "neither a scene nor a message");
-        claim(messages.size() <= MOST_LISTED || messages.size() == MOST_LISTED + 1
-            && messages.get(MOST_LISTED).matches(FILE + ": and [1-9][0-9]* more"), "more messages than there may be");
+        int most = answer.mostListed();
+        claim(messages.size() <= most || messages.size() == most + 1
+            && messages.get(most).matches(FILE + ": and [1-9][0-9]* more"), "more messages than there may be");
         for (String message : messages) {
             claim(message.startsWith(FILE + ":") && message.length() > FILE.length() + 2, "no name of the file", message);
             claim(message.codePoints().allMatch(AnyBytes::isVisible), "not one line of visible text", message);
             claim(message.length() <= LONGEST_MESSAGE, "too long to read", message);
+            claim(message.contains(": warning: ") || answer.scene.isEmpty() || message.endsWith(" more"), "no warning", message);
         }
     }
 

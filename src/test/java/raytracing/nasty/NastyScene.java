@@ -40,7 +40,7 @@ record NastyScene(long seed, String text, boolean isHall, int surfaces) {
 
     Scene scene() {
         try {
-            return SceneParser.parse("nasty scene", text.getBytes(StandardCharsets.UTF_8));
+            return SceneParser.parse("nasty scene", text.getBytes(StandardCharsets.UTF_8)).scene();
         } catch (RayTracerException wrong) {
             throw new IllegalStateException("not a scene:\n" + text + wrong.getMessage(), wrong);
         }

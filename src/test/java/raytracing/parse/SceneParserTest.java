@@ -40,7 +40,7 @@ class SceneParserTest {
     private static final String HEAD = CAM + SET + MTL;
 
     private static Scene parse(String text) throws RayTracerException {
-        return SceneParser.parse("test.txt", text.getBytes(StandardCharsets.UTF_8));
+        return SceneParser.parse("test.txt", text.getBytes(StandardCharsets.UTF_8)).scene();
     }
 
     private static List<String> messages(String text) {
@@ -135,7 +135,7 @@ class SceneParserTest {
     @ValueSource(strings = {"UTF-8", "UTF-16LE", "UTF-16BE"})
     void aByteOrderMarkIsNoPartOfTheFirstCode(String encoding) throws RayTracerException {
         byte[] marked = ("\ufeff" + HEAD).getBytes(Charset.forName(encoding));
-        assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked));
+        assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked).scene());
     }
 
     @ParameterizedTest
@@ -161,7 +161,7 @@ class SceneParserTest {
             }
         }
         text.writeBytes(HEAD.getBytes(StandardCharsets.US_ASCII));
-        assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray()));
+        assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray()).scene());
     }
 
     /** Bytes of which a wide space could be made, but is not: part of the word, and shown as the library replaces them. */
@@ -178,7 +178,8 @@ class SceneParserTest {
         text.writeBytes(HexFormat.of().parseHex(hexadecimal));
         text.writeBytes(end.getBytes(StandardCharsets.UTF_8));
         String word = text.toString(StandardCharsets.UTF_8).substring(HEAD.length()).strip();
-        assertEquals(List.of("test.txt:4: " + word + ": unknown code, expected cam, set, mtl, sph, pln, box or lgt"),
+        assertEquals(List.of("test.txt:4: " + word + ": unknown code (bytes that are not UTF-8), "
+            + "expected cam, set, mtl, sph, pln, box or lgt"),
             assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", text.toByteArray())).messages());
     }
 
@@ -256,12 +257,12 @@ class SceneParserTest {
         "sph 0 0 - 1 1             | sph: centre z must be a decimal number, got -",
         "sph 0 0 1.2.3 1 1         | sph: centre z must be a decimal number, got 1.2.3",
         "sph 0 0 1,5 1 1           | sph: centre z must be a decimal number with a dot, not a comma, got 1,5",
-        "sph 0 0 \u0665 1 1        | sph: centre z must be a decimal number, got \u0665",
+        "sph 0 0 \u0665 1 1        | sph: centre z must be a decimal number, got \u0665 (U+0665 ARABIC-INDIC DIGIT FIVE, write 5)",
         "sph 0 0 1e999 1 1         | sph: centre z must be within what a double can hold, got 1e999",
         "sph 0 0 0 1               | sph: expected 5 values (centre 3, radius, material), got 4",
         "sph                       | sph: expected 5 values (centre 3, radius, material), got 0",
         "sph 0 0 0 1 1 7           | sph: expected 5 values (centre 3, radius, material), got 6, first surplus value 7",
-        "sph 0 0 0 1 1;            | sph: material must be a decimal number, got 1;",
+        "sph 0 0 0 1 1;            | sph: material must be a decimal number, got 1; (values are separated by white space, not by semicolons)",
         "SPH 0 0 0 1 # 1           | SPH: expected 5 values (centre 3, radius, material), got 4",
         "pln 0 0 0 1 1             | pln: normal must be a direction, not zero, got 0.0 0.0 0.0",
         "pln 0 1 0 1 5             | pln: material must be from 1 to 1, got 5",
@@ -285,8 +286,8 @@ class SceneParserTest {
         "set 0 0 0 1 1             | set: one too many, the first is on line 2, expected exactly one",
         "cam 0 0 0 1 1 1 0 1 0 1 1 | cam: one too many, the first is on line 1, expected exactly one",
         "cam 0                     | cam: one too many, the first is on line 1, expected exactly one",
-        "sphere 0 0 0 1 1          | sphere: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
-        "trg 0 0 0 1 1             | trg: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
+        "sphere 0 0 0 1 1          | sphere: unknown code, did you mean sph? Expected cam, set, mtl, sph, pln, box or lgt",
+        "trg 0 0 0 1 1             | trg: triangles are not supported, expected sph, pln or box",
         "= 1                       | =: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
     })
     void aWrongLineIsNamedWithItsCure(String line, String expected) {
@@ -295,14 +296,16 @@ class SceneParserTest {
 
     @ParameterizedTest(name = "{0}")
     @CsvSource(delimiter = '|', value = {
-        "cam 0 0 0 0 0 0 0 1 0 1 1           | look-at must be another point than the position, got 0.0 0.0 0.0",
-        "cam 1 2 3 1 2 3 0 1 0 1 1           | look-at must be another point than the position, got 1.0 2.0 3.0",
-        "cam 0 0 0 -0 0 0 0 1 0 1 1          | look-at must be another point than the position, got -0.0 0.0 0.0",
-        "cam 0 0 0 0 0 1 0 0 0 1 1           | up must be a direction, not zero, got 0.0 0.0 0.0",
-        "cam 0 0 0 0 0 1 0 0 5 1 1           | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 0.0 5.0",
-        "cam 0 0 0 0 0 1 0 0 -5 1 1          | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 0.0 -5.0",
-        "cam 0 0 0 0 0 1 0 1e-15 1 1 1       | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 1.0E-15 1.0",
-        "cam 0 0 0 0 0 1 0 1e-10 1 1 1       | up must be at an angle to the view 0.0 0.0 1.0, got 0.0 1.0E-10 1.0",
+        "cam 0 0 0 0 0 0 0 1 0 1 1           | look-at must be another point than the position, such as 0 0 1, got 0.0 0.0 0.0",
+        "cam 1 2 3 1 2 3 0 1 0 1 1           | look-at must be another point than the position, such as 0 0 0, got 1.0 2.0 3.0",
+        "cam 0 0 0 -0 0 0 0 1 0 1 1          | look-at must be another point than the position, such as 0 0 1, got -0.0 0.0 0.0",
+        "cam 0 0 0 0 0 1 0 0 0 1 1           | up must be a direction, not zero, such as 0 1 0, got 0.0 0.0 0.0",
+        "cam 0 0 0 0 0 1 0 0 5 1 1           | up must be at an angle to the view 0.0 0.0 1.0, such as 0 1 0, got 0.0 0.0 5.0",
+        "cam 0 9 0 0 0 0 0 1 0 1 1           | up must be at an angle to the view 0.0 -1.0 0.0, such as 0 0 1, got 0.0 1.0 0.0",
+        "cam 0 0 0 0 1 1 0 2 2 1 1           | up must be at an angle to the view 0.0 0.7071067811865475 0.7071067811865475, such as 1 0 0, got 0.0 2.0 2.0",
+        "cam 0 0 0 0 0 1 0 0 -5 1 1          | up must be at an angle to the view 0.0 0.0 1.0, such as 0 1 0, got 0.0 0.0 -5.0",
+        "cam 0 0 0 0 0 1 0 1e-15 1 1 1       | up must be at an angle to the view 0.0 0.0 1.0, such as 0 1 0, got 0.0 1.0E-15 1.0",
+        "cam 0 0 0 0 0 1 0 1e-10 1 1 1       | up must be at an angle to the view 0.0 0.0 1.0, such as 0 1 0, got 0.0 1.0E-10 1.0",
         "cam 0 0 0 0 0 1 0 1 0 0 1           | screen distance must be above 0, got 0",
         "cam 0 0 0 0 0 1 0 1 0 -1 1          | screen distance must be above 0, got -1",
         "cam 0 0 0 0 0 1 0 1 0 1 0           | screen width must be above 0, got 0",
@@ -402,7 +405,7 @@ class SceneParserTest {
 
     @Test
     void whatIsQuotedFromTheFileIsShortAndSafeToPrint() {
-        assertEquals("test.txt:4: <U+001B>[31m: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
+        assertEquals("test.txt:4: <U+001B>[31m: unknown code (U+001B ESCAPE, leave it out), expected cam, set, mtl, sph, pln, box or lgt",
             messages(HEAD + "\u001b[31m\n").get(0));
         String message = messages(HEAD + "sph 0 0 " + "7x".repeat(10_000) + " 1 1\n").get(0);
         assertTrue(message.length() < 120, message);
@@ -426,7 +429,7 @@ class SceneParserTest {
         }
         Path file = folder.resolve("large.txt");
         Files.writeString(file, text);
-        Scene scene = SceneParser.parseFile(file);
+        Scene scene = SceneParser.parseFile(file).scene();
         assertEquals(20_000, scene.surfaces().size());
         for (int i = 0; i < 20_000; i++) {
             assertEquals(new Sphere(new Vector(i, 0, 0), 1, 0), scene.surfaces().get(i));

@@ -1,0 +1,136 @@
+package raytracing.parse;
+
+import java.text.Normalizer;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Says what is probably behind a word that should be a number or a code and is none: commas between values, a remark as
+ * other languages have it, a character that only looks like another one. A hint stands in brackets behind the quoted word.
+ */
+final class Hint {
+    private static final String NONE = "";
+    private static final String REMARK = " (remarks begin with #)";
+    private static final List<String> REMARKS = List.of("//", "/*", "*/", ";", "%", "--", "<!--");
+    private static final Pattern SEPARATORS = Pattern.compile("[,;|()\\[\\]{}<>]+");
+
+    /** What bytes become that are no UTF-8. */
+    private static final int REPLACEMENT = 0xfffd;
+
+    private static final String MINUS_SIGNS = "\u2212\u02d7\u2796";
+    private static final String DECIMAL_POINTS = "\u066b\u00b7";
+
+    private Hint() {
+    }
+
+    /** About a word that is no number. */
+    static String about(String word) {
+        if (isRemark(word)) {
+            return REMARK;
+        }
+        if (isSeparated(word)) {
+            return notSeparatedBy(word);
+        }
+        for (int i = 0; i < word.length(); i++) {
+            if (!isPlain(word.codePointAt(i))) {
+                return " (" + named(word.codePointAt(i)) + ")";
+            }
+        }
+        return NONE;
+    }
+
+    /** About a word that is no code: values may be glued to it. */
+    static String aboutCode(String word) {
+        String hint = about(word);
+        return hint.isEmpty() && SEPARATORS.matcher(word).find() ? notSeparatedBy(word) : hint;
+    }
+
+    /** About a line with too few or too many values. */
+    static String about(List<String> values, int most) {
+        for (String value : values) {
+            String hint = value.contains(",") ? notSeparatedBy(",") : about(value);
+            if (!hint.isEmpty()) {
+                return hint;
+            }
+        }
+        return values.size() > most && !DecimalReader.isDecimal(values.get(most)) ? REMARK : NONE;
+    }
+
+    /** Whether a word begins as remarks do in other languages. */
+    static boolean isRemark(String word) {
+        for (String beginning : REMARKS) {
+            if (word.startsWith(beginning) && !DecimalReader.isDecimal(word.replaceFirst("^[-;]+", ""))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether decimal numbers, or nothing, stand beside commas and the like. A comma as decimal sign is none of these. */
+    static boolean isSeparated(String word) {
+        if (!SEPARATORS.matcher(word).find()
+                || DecimalReader.isDecimal(word.replace(',', '.')) && !word.endsWith(",")) {
+            return false;
+        }
+        for (String part : SEPARATORS.split(word)) {
+            if (!part.isEmpty() && !DecimalReader.isDecimal(part)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** As the first of them says that is in a word. */
+    private static String notSeparatedBy(String word) {
+        Matcher separators = SEPARATORS.matcher(word);
+        separators.find();
+        String wrong = switch (separators.group().charAt(0)) {
+            case ',' -> "commas";
+            case ';' -> "semicolons";
+            case '|' -> "bars";
+            default -> "brackets";
+        };
+        return " (values are separated by white space, not by " + wrong + ")";
+    }
+
+    private static boolean isPlain(int character) {
+        return character >= ' ' && character <= '~';
+    }
+
+    private static String named(int character) {
+        if (character == REPLACEMENT) {
+            return "bytes that are not UTF-8";
+        }
+        String name = Character.getName(character);
+        return Printable.code(character) + (name == null ? "" : " " + name) + remedy(character);
+    }
+
+    private static String remedy(int character) {
+        if (!Printable.isVisible(character)) {
+            return ", leave it out";
+        }
+        String plain = plain(character);
+        return plain.length() == 1 && isPlain(plain.charAt(0)) ? ", write " + plain : "";
+    }
+
+    /** A word with plain characters in place of those that only look like them. */
+    static String plain(String word) {
+        StringBuilder plain = new StringBuilder();
+        word.codePoints().filter(Printable::isVisible).forEach(character -> plain.append(plain(character)));
+        return plain.toString();
+    }
+
+    /** Wide, narrow, raised and decorated forms are known to Unicode; digits of other scripts and dashes are not. */
+    private static String plain(int character) {
+        if (Character.getType(character) == Character.DASH_PUNCTUATION || MINUS_SIGNS.indexOf(character) >= 0) {
+            return "-";
+        }
+        if (DECIMAL_POINTS.indexOf(character) >= 0) {
+            return ".";
+        }
+        int digit = Character.digit(character, 10);
+        return digit >= 0 ? String.valueOf(digit)
+            : Normalizer.normalize(Character.toString(character), Normalizer.Form.NFKC);
+    }
+}

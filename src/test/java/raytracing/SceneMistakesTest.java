@@ -1,0 +1,98 @@
+package raytracing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedWriter;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What a user of the jar reads about a scene file that is wrong, or no scene at all. */
+class SceneMistakesTest {
+    private static final String CAM = "cam 0 0 -5  0 0 0  0 1 0  1 1\n";
+    private static final String MTL = "mtl 1 1 1  0 0 0  0 0 0  1 0\n";
+    private static final String SPH = "sph 0 0 0 1 1\n";
+    private static final String LGT = "lgt 5 5 -5 1 1 1 1 1 0\n";
+    private static final String SCENE = CAM + "set 0 0 0 1 1\n" + MTL + SPH + LGT;
+    private static final int MILLION = 1_000_000;
+    private static final long GIGABYTE = 1L << 30;
+    private static final String TOO_LARGE =
+        ": is too large, a scene file may have at most 2 GB (2147483639 bytes)" + System.lineSeparator();
+
+    @TempDir
+    private Path folder;
+
+    private Program draw(String scene, String... more) throws Exception {
+        List<String> words = new ArrayList<>(List.of(scene, "out.png", "4", "4"));
+        words.addAll(List.of(more));
+        return Program.run(folder, words.toArray(String[]::new));
+    }
+
+    @Test
+    void aMillionWrongLinesNeedNoMemory() throws Exception {
+        try (BufferedWriter text = Files.newBufferedWriter(folder.resolve("scene.txt"))) {
+            for (int i = 0; i < MILLION; i++) {
+                text.write(i % 3 == 0 ? "sph 0 0 0 -1 1\n" : i % 3 == 1 ? "sph 0 0 0 1 99\n" : "ball 0 0 0\n");
+            }
+        }
+        Program program = Program.run(Program.JAVA_HOME, List.of("-Xmx64m"), folder, "scene.txt", "out.png");
+        List<String> lines = program.errors().lines().toList();
+        assertEquals(21, lines.size(), program.errors());
+        assertEquals("scene.txt:1: sph: radius must be above 0, got -1", lines.get(0));
+        assertEquals("scene.txt:2: sph: material must be that of a mtl line, and there is none, got 99", lines.get(2));
+        assertTrue(lines.get(19).startsWith("scene.txt:15: ball: "), lines.get(19));
+        assertTrue(lines.get(20).matches("scene\\.txt: and 1\\d{6} more"), lines.get(20));
+        assertEquals(2, program.status());
+    }
+
+    /** A file with a hole takes no room on most disks. */
+    @Test
+    void aSceneOfMoreThan2GigabytesIsRefusedBeforeItIsRead() throws Exception {
+        try (RandomAccessFile file = new RandomAccessFile(folder.resolve("scene.txt").toFile(), "rw")) {
+            file.setLength(3 * GIGABYTE);
+        }
+        Program program = Program.run(Program.JAVA_HOME, List.of("-Xmx24m"), folder, "scene.txt", "out.png");
+        assertEquals("scene.txt" + TOO_LARGE, program.errors());
+        assertEquals(2, program.status());
+    }
+
+    @Test
+    void aDeviceThatNeverEndsIsTooLarge() throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/zero")), "this system has no endless device");
+        Program program = Program.run(Program.JAVA_HOME, List.of("-Xmx64m"), folder, "/dev/zero", "out.png");
+        assertEquals("/dev/zero" + TOO_LARGE, program.errors());
+        assertEquals(2, program.status());
+    }
+
+    @Test
+    void aPipeIsReadLikeAFile() throws Exception {
+        assumeTrue(Files.exists(Path.of("/bin/sh")) && Files.exists(Path.of("/dev/stdin")), "this system has no pipes");
+        Files.writeString(folder.resolve("scene.txt"), SCENE);
+        Process process = new ProcessBuilder("/bin/sh", "-c", "cat scene.txt | '" + Program.JAVA_HOME.resolve("bin/java")
+            + "' -jar '" + Program.JAR.toAbsolutePath() + "' /dev/stdin out.png 4 4 --quiet")
+            .directory(folder.toFile()).inheritIO().start();
+        assertEquals(0, process.waitFor());
+        assertTrue(Files.exists(folder.resolve("out.png")));
+    }
+
+    @Test
+    void aFileNameInAMessageCannotColourOrMoveWhatIsAroundIt() throws Exception {
+        String name = "a\u001b[31m\nb.txt";
+        String shown = "a<U+001B>[31m<U+000A>b";
+        assertEquals(shown + ".txt: no such file, expected a scene file" + System.lineSeparator(), draw(name).errors());
+        Files.writeString(folder.resolve(name), SCENE);
+        Program program = Program.run(folder, name, name.replace(".txt", ".png"), "4", "4", "--stats");
+        assertEquals(0, program.status(), program.errors());
+        assertTrue(program.errors().startsWith(shown + ".png: drawing 4 x 4 pixels of " + shown + ".txt with "));
+        assertTrue(program.errors().contains(" " + shown + ".txt" + System.lineSeparator()), program.errors());
+        assertTrue(program.errors().chars().allMatch(c -> c >= ' ' || System.lineSeparator().indexOf(c) >= 0));
+        assertEquals("--x<U+001B>[2J: unknown option, see --help" + System.lineSeparator(),
+            Program.run(folder, "--x\u001b[2J").errors());
+    }
+}
