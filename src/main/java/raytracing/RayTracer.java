@@ -58,7 +58,7 @@ public final class RayTracer {
         } catch (RayTracerException wrong) {
             return failed(USER_IS_WRONG, wrong.messages());
         } catch (IOException failure) {
-            return failed(MACHINE_FAILED, List.of(reason(failure)));
+            return failed(MACHINE_FAILED, List.of(Printable.of(reason(failure))));
         } catch (OutOfMemoryError tooLarge) {
             return failed(MACHINE_FAILED, List.of(shortage(tooLarge)));
         } catch (RuntimeException | Error unforeseen) {
@@ -126,7 +126,7 @@ public final class RayTracer {
 
     private static int failed(int status, List<String> messages) {
         for (String message : messages) {
-            System.err.println(Printable.of(message));
+            System.err.println(message);
         }
         return status;
     }

@@ -1,5 +1,6 @@
 package raytracing;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -13,7 +14,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a user of the jar reads about a scene file that is wrong, or no scene at all. */
+/** What a user of the jar reads about a scene file that is wrong, or that can hardly be meant. */
 class SceneMistakesTest {
     private static final String CAM = "cam 0 0 -5  0 0 0  0 1 0  1 1\n";
     private static final String MTL = "mtl 1 1 1  0 0 0  0 0 0  1 0\n";
@@ -72,13 +73,57 @@ class SceneMistakesTest {
 
     @Test
     void aPipeIsReadLikeAFile() throws Exception {
-        assumeTrue(Files.exists(Path.of("/bin/sh")) && Files.exists(Path.of("/dev/stdin")), "this system has no pipes");
         Files.writeString(folder.resolve("scene.txt"), SCENE);
-        Process process = new ProcessBuilder("/bin/sh", "-c", "cat scene.txt | '" + Program.JAVA_HOME.resolve("bin/java")
-            + "' -jar '" + Program.JAR.toAbsolutePath() + "' /dev/stdin out.png 4 4 --quiet")
-            .directory(folder.toFile()).inheritIO().start();
-        assertEquals(0, process.waitFor());
+        Shell shell = Shell.run(folder, "cat scene.txt | $JAVA -jar $JAR /dev/stdin out.png 4 4 --quiet");
+        assertEquals(0, shell.status(), shell.text());
         assertTrue(Files.exists(folder.resolve("out.png")));
+    }
+
+    @Test
+    void warningsAreSaidBeforeThePictureIsDrawnAndChangeNothing() throws Exception {
+        Files.writeString(folder.resolve("plain.txt"), SCENE);
+        Files.writeString(folder.resolve("scene.txt"), SCENE.replace("set 0 0 0 1 1", "set 0 0 0 1 1 4") + MTL);
+        assertEquals(0, draw("plain.txt").status());
+        byte[] picture = Files.readAllBytes(folder.resolve("out.png"));
+        Program program = draw("scene.txt");
+        List<String> lines = program.errors().lines().toList();
+        assertTrue(lines.get(0).startsWith("scene.txt:2: warning: set: the sixth value, 4, "), program.errors());
+        assertTrue(lines.get(0).endsWith("use --samples 4"), program.errors());
+        assertEquals("scene.txt: warning: no surface uses material 2", lines.get(1));
+        assertTrue(lines.get(2).startsWith("out.png: drawing "), program.errors());
+        assertEquals(4, lines.size());
+        assertEquals("", program.output());
+        assertEquals(0, program.status());
+        assertArrayEquals(picture, Files.readAllBytes(folder.resolve("out.png")));
+        assertEquals("", draw("scene.txt", "--quiet").errors());
+    }
+
+    @Test
+    void errorsComeWithoutWarnings() throws Exception {
+        Files.writeString(folder.resolve("scene.txt"), "set 0 0 0 1 1 4\n" + MTL + MTL + SPH);
+        assertEquals("scene.txt: cam: missing, expected exactly one" + System.lineSeparator(), draw("scene.txt").errors());
+    }
+
+    @Test
+    void aWholePictureThatShowsNothingIsNamedAtTheEnd() throws Exception {
+        Files.writeString(folder.resolve("scene.txt"), SCENE.replace("sph 0 0 0", "sph 0 0 -50"));
+        String warning = "scene.txt: warning: no surface is in the picture; does the camera look towards them?";
+        List<String> lines = draw("scene.txt").errors().lines().toList();
+        assertEquals(3, lines.size());
+        assertEquals(warning, lines.get(2));
+        assertEquals("", draw("scene.txt", "--quiet").errors());
+        assertEquals(2, draw("scene.txt", "--region", "0,0,4,3").errors().lines().count());
+        Files.writeString(folder.resolve("scene.txt"), SCENE);
+        assertEquals(2, draw("scene.txt").errors().lines().count());
+    }
+
+    /** Said of a scene without surfaces when it is read; once is enough. */
+    @Test
+    void aSceneWithoutSurfacesIsNotWarnedOfTwice() throws Exception {
+        Files.writeString(folder.resolve("scene.txt"), CAM + "set 0 0 0 1 1\n" + LGT);
+        List<String> lines = draw("scene.txt").errors().lines().toList();
+        assertEquals("scene.txt: warning: no sph, pln or box: the picture shows nothing but the background", lines.get(0));
+        assertEquals(3, lines.size());
     }
 
     @Test

@@ -107,7 +107,27 @@ public final class SceneParser {
             throw refusal();
         }
         Scene scene = new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
+        addWarnings(new SceneWarnings(scene));
         return new ParsedScene(scene, warnings.listed());
+    }
+
+    private void addWarnings(SceneWarnings about) {
+        about.addTo(warnings, settings.line);
+        int around = about.bodyAroundTheEye();
+        if (around >= 0) {
+            warnings.add(lineOfSurface(around), "warning: " + values.token(0)
+                + ": the camera is inside, the material is opaque, and no lgt is inside");
+        }
+    }
+
+    /** Reads the file once more up to a surface, given by its place in the scene: where it stands was not kept. */
+    private int lineOfSurface(int place) {
+        values.rewind();
+        int surfacesBefore = -1;
+        while (surfacesBefore < place && values.nextLine()) {
+            surfacesBefore += isCompleteSurface() ? 1 : 0;
+        }
+        return values.line();
     }
 
     private boolean isCompleteSurface() {

@@ -15,12 +15,16 @@ final class Values {
     /** Allowed everywhere in the format but for fisheye; the scene it would end up in is never made. */
     private static final double STAND_IN = 1;
 
+    /** A colour from here on is more likely counted in bytes than meant. */
+    private static final double FAR_BEYOND_FULL = 20;
+
     private final SceneText text;
     private final Findings problems;
     private final Findings warnings;
     private int next;
     private int problemsFound;
     private boolean areSeparatorsRefused;
+    private boolean isColorDoubted;
 
     Values(SceneText text, Findings problems, Findings warnings) {
         this.text = text;
@@ -38,6 +42,7 @@ final class Values {
         next = 1;
         problemsFound = 0;
         areSeparatorsRefused = false;
+        isColorDoubted = false;
         while (text.hasMoreLines()) {
             text.nextLine();
             if (text.count() > 0) {
@@ -95,7 +100,18 @@ final class Values {
         double red = number(name, " red", Range.AT_LEAST_0);
         double green = number(name, " green", Range.AT_LEAST_0);
         double blue = number(name, " blue", Range.AT_LEAST_0);
+        if (Math.max(red, Math.max(green, blue)) >= FAR_BEYOND_FULL && !isColorDoubted) {
+            doubtColor(name);
+        }
         return new Color(red, green, blue);
+    }
+
+    /** Once for each line. */
+    private void doubtColor(String name) {
+        isColorDoubted = true;
+        warnings.add(line(), "warning: " + token(0) + ": " + name + " is " + Printable.quote(token(next - 3)) + " "
+            + Printable.quote(token(next - 2)) + " " + Printable.quote(token(next - 1))
+            + ", and 1 is full: 0 to 1, not 0 to 255?");
     }
 
     int wholeNumber(String name, Range range) {

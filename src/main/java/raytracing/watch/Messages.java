@@ -61,6 +61,27 @@ public final class Messages implements Thread.UncaughtExceptionHandler {
         return output + ": " + pixels() + " in " + time(nanoseconds) + refinement(drawing) + ambience(ambientLight);
     }
 
+    /**
+     * Whether a whole picture shows no surface at all.
+     *
+     * @param drawing of the picture, finished
+     * @return false for a part of a picture too, which may well show nothing
+     */
+    public boolean isOfNothing(Drawing drawing) {
+        return drawing.counts().surfacesMet() == 0
+            && settings.region().equals(Region.whole(settings.width(), settings.height()));
+    }
+
+    /**
+     * No ray met anything.
+     *
+     * @param scene name of the scene file
+     * @return a sentence
+     */
+    public static String nothingMet(String scene) {
+        return scene + ": warning: no surface is in the picture; does the camera look towards them?";
+    }
+
     private String pixels() {
         Region region = settings.region();
         String size = region.width() + " x " + region.height() + " pixels";

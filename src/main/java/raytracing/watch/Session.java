@@ -58,6 +58,9 @@ public final class Session {
         Thread encoder = file.prepare();
         ParsedScene parsed = SceneParser.parseFile(command.scene());
         parsingNanoseconds = System.nanoTime() - start;
+        for (String warning : parsed.warnings()) {
+            say(warning);
+        }
         Optional<Preview> preview = command.wants(Extra.PREVIEW) ? Preview.open(command.output().toString(),
             command.settings().region(), cancellation, encoder) : Optional.empty();
         Interruption interruption = Interruption.install(cancellation);
@@ -96,6 +99,9 @@ public final class Session {
         String summary = outcome == Outcome.FINISHED
             ? messages.finished(drawing, renderer.ambientLight(), end - start) : messages.stopped(drawing);
         say(summary);
+        if (outcome == Outcome.FINISHED && messages.isOfNothing(drawing) && !scene.surfaces().isEmpty()) {
+            say(Messages.nothingMet(command.scene().toString()));
+        }
         if (preview.isPresent()) {
             preview.get().end(summary);
         }

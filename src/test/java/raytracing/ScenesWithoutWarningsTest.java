@@ -1,0 +1,58 @@
+package raytracing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import raytracing.film.ImageFormat;
+import raytracing.parse.ParsedScene;
+import raytracing.parse.SceneParser;
+import raytracing.render.Cancellation;
+import raytracing.render.Drawing;
+import raytracing.render.DrawingListener;
+import raytracing.render.RenderSettings;
+import raytracing.render.Renderer;
+import raytracing.watch.Messages;
+
+/** Scenes that are meant as they are get no warning, neither when they are read nor at the end. */
+class ScenesWithoutWarningsTest {
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(16, 16);
+    private static final Path COURSE = Path.of("..", "shared", "scenes");
+
+    static Stream<Path> ours() throws IOException {
+        return SceneFiles.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("ours")
+    void ourScenes(Path file) throws Exception {
+        assertNoWarnings(file);
+    }
+
+    @Test
+    void theCoursesScenes() throws Exception {
+        assumeTrue(Files.isDirectory(COURSE), "the course's scenes are not beside the checkout");
+        try (Stream<Path> files = Files.list(COURSE)) {
+            for (Path file : files.filter(file -> file.toString().endsWith(".txt")).sorted().toList()) {
+                assertNoWarnings(file);
+            }
+        }
+    }
+
+    private static void assertNoWarnings(Path file) throws Exception {
+        ParsedScene parsed = SceneParser.parseFile(file);
+        assertEquals(List.of(), parsed.warnings());
+        Drawing drawing = new Renderer(parsed.scene(), SMALL).drawing(new Cancellation(),
+            Cancellation.Leftovers.DISCARD, DrawingListener.NONE);
+        drawing.band(0);
+        assertFalse(new Messages("out.png", ImageFormat.PNG, SMALL).isOfNothing(drawing), file.toString());
+    }
+}
