@@ -51,7 +51,7 @@ public final class CommandLine {
         Exit status: 0 done, 1 the machine failed, 2 scene or command wrong, 130 stopped
         """;
 
-    private static final String USAGE = "expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
+    private static final String USAGE = "xpected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
     private static final String FOUR_NUMBERS = "(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
@@ -202,30 +202,54 @@ public final class CommandLine {
         } catch (NumberFormatException notWhole) {
             // said below, with the numbers out of range
         }
-        throw new RayTracerException(name + ": must be a whole number from 1 to " + largest + ", got " + value);
+        throw new RayTracerException(name + ": must be a whole number from 1 to " + largest + ", got " + value
+            + root(value));
+    }
+
+    /** N by N rays are asked for by N. */
+    private static String root(String value) {
+        Matcher square = Pattern.compile("([1-9]\\d*)[xX*\u00d7]\\1").matcher(value);
+        return square.matches() ? ", did you mean " + square.group(1) + "?" : "";
     }
 
     private Command draw() throws RayTracerException {
         if (operands.size() != 2 && operands.size() != 4) {
-            throw new RayTracerException(count(operands.size()) + ": " + USAGE);
+            throw new RayTracerException(count() + suggestion(": e") + USAGE);
         }
         String output = operands.get(1);
         Optional<ImageFormat> format = ImageFormat.ofEnding(output);
         if (format.isEmpty()) {
             throw new RayTracerException(output
-                + ": unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif");
+                + ": unknown picture format" + suggestion(", e") + "xpected a name ending in .png, .jpg, .bmp or .gif");
         }
         settings = sized(format.get());
         return new Command.Draw(path(operands.get(0)), path(output), format.get(),
             settings.withShadowMethod(shadowMethod()), extras);
     }
 
-    private static String count(int operands) {
-        return switch (operands) {
+    /** What is wrong with the number of names and sizes. */
+    private String count() {
+        return switch (operands.size()) {
             case 0 -> "no scene and no output";
-            case 1 -> "no output";
+            case 1 -> ImageFormat.ofEnding(operands.get(0)).isPresent() ? "no scene" : "no output";
             case 3 -> "a width without a height";
-            default -> operands + " names and sizes";
+            default -> operands.size() + " names and sizes";
+        };
+    }
+
+    /** What the names and sizes were probably meant to be. The sentence goes on behind an e, small or large. */
+    private String suggestion(String otherwise) {
+        if (operands.size() == 1 && isHelpElsewhere(operands.get(0))) {
+            return ", did you mean --help? E";
+        }
+        Optional<String> meant = Rearranged.of(operands);
+        return meant.isPresent() ? ", did you mean " + meant.get() + "? E" : otherwise;
+    }
+
+    private static boolean isHelpElsewhere(String word) {
+        return switch (word) {
+            case "/?", "/h", "/help", "?", "help" -> true;
+            default -> false;
         };
     }
 
@@ -234,8 +258,7 @@ public final class CommandLine {
         RenderSettings sized = settings;
         if (operands.size() == 4) {
             int longest = region.isPresent() ? Integer.MAX_VALUE : format.longestSide();
-            sized = settings.withSize(wholeNumber("width", operands.get(2), longest),
-                wholeNumber("height", operands.get(3), longest));
+            sized = settings.withSize(side("width", operands.get(2), longest), side("height", operands.get(3), longest));
         }
         if (region.isPresent()) {
             sized = sized.withRegion(region(region.get(), sized, format));
@@ -245,6 +268,16 @@ public final class CommandLine {
                 + sized.region().width() + " x " + sized.region().height());
         }
         return sized;
+    }
+
+    private int side(String name, String value, int longest) throws RayTracerException {
+        try {
+            return wholeNumber(name, value, longest);
+        } catch (RayTracerException wrong) {
+            Optional<String> meant = Rearranged.of(operands);
+            throw meant.isEmpty() ? wrong
+                : new RayTracerException(wrong.getMessage() + ", did you mean " + meant.get() + "?");
+        }
     }
 
     private static Region region(String value, RenderSettings picture, ImageFormat format) throws RayTracerException {

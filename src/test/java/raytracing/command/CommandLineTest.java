@@ -1,6 +1,7 @@
 package raytracing.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -88,8 +89,8 @@ class CommandLineTest {
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "\"\"                      | no scene and no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
         "s.txt                     | no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
-        "s.txt o.png 30            | a width without a height: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
-        "s.txt o.png 30 20 10      | 5 names and sizes: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt o.png 30            | a width without a height, did you mean s.txt o.png 30 30? Expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt o.png 30 20 10      | 5 names and sizes, did you mean s.txt o.png 30 20? Expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
         "s.txt o.tif               | o.tif: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
         "s.txt o                   | o: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
         "s.txt o.gif 65536 2       | width: must be a whole number from 1 to 65535, got 65536",
@@ -112,7 +113,7 @@ class CommandLineTest {
         "s.txt o.png --shadow-rays 5 --shadows exact | --shadow-rays: exact shadows need none, so it cannot stand beside --shadows exact",
         "s.txt o.png --samples 0   | --samples: must be a whole number from 1 to 32, got 0",
         "s.txt o.png --samples 33  | --samples: must be a whole number from 1 to 32, got 33",
-        "s.txt o.png --samples 2x2 | --samples: must be a whole number from 1 to 32, got 2x2",
+        "s.txt o.png --samples 2x2 | --samples: must be a whole number from 1 to 32, got 2x2, did you mean 2?",
         "s.txt o.png --samples     | --samples: needs a value, see --help",
         "s.txt o.png --help=yes    | --help: takes no value, got yes",
         "s.txt o.png --sead 1      | --sead: unknown option, did you mean --seed? See --help",
@@ -135,6 +136,51 @@ class CommandLineTest {
     void whatIsWrongIsSaidInOneLine(String line, String expected) {
         RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
         assertEquals(expected, wrong.getMessage().strip());
+    }
+
+    @ParameterizedTest(name = "[{index}] {0}")
+    @CsvSource(delimiter = '|', value = {
+        "s.txt o.png 500x400      | s.txt o.png 500 400",
+        "s.txt o.png 500X400      | s.txt o.png 500 400",
+        "s.txt o.png 500,400      | s.txt o.png 500 400",
+        "s.txt o.png 500*400      | s.txt o.png 500 400",
+        "s.txt o.png 500\u00d7400 | s.txt o.png 500 400",
+        "s.txt o.png 500, 400     | s.txt o.png 500 400",
+        "s.txt o.png 500 x 400    | s.txt o.png 500 400",
+        "s.txt o.png 500 400 0    | s.txt o.png 500 400",
+        "s.txt o.png 500 400 4    | s.txt o.png 500 400",
+        "s.txt o.png 500          | s.txt o.png 500 500",
+        "500 400 s.txt o.png      | s.txt o.png 500 400",
+        "o.png s.txt              | s.txt o.png",
+        "o.png s.txt 500 400      | s.txt o.png 500 400",
+        "o.png s.txt 500x400      | s.txt o.png 500 400",
+        "-h                       | --help",
+        "-help                    | --help",
+        "--h                      | --help",
+        "/?                       | --help",
+        "help                     | --help",
+        "-v                       | --version",
+        "-version                 | --version",
+        "s.txt o.png --samples 4x4 | 4",
+        "s.txt o.png --shadow-rays=5x5 | 5",
+    })
+    void theNearestRightFormIsSaid(String line, String meant) {
+        RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
+        assertTrue(wrong.getMessage().contains(", did you mean " + meant + "?"), wrong.getMessage());
+    }
+
+    @ParameterizedTest(name = "[{index}] {0}")
+    @ValueSource(strings = {"s.txt", "o.png", "s.txt t.txt", "s.txt o.tif 500x400", "s.txt o.png p.png 500",
+        "s.txt o.png 30 2x", "s.txt o.png 0 20", "s.txt o.gif 65536 2", "s.txt o.png --samples 2x3"})
+    void whereThereIsNoneNoneIsSaid(String line) {
+        RayTracerException wrong = assertThrows(RayTracerException.class, () -> CommandLine.parse(words(line)));
+        assertFalse(wrong.getMessage().contains("did you mean"), wrong.getMessage());
+    }
+
+    @Test
+    void aPictureAloneHasNoScene() {
+        assertEquals("no scene: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+            assertThrows(RayTracerException.class, () -> CommandLine.parse("o.png")).getMessage());
     }
 
     @Test
