@@ -45,6 +45,7 @@ public final class SceneParser {
     private final Findings problems;
     private final Findings warnings;
     private final Values values;
+    private final SceneWarnings sceneWarnings = new SceneWarnings();
     private final List<Material> materials = new ArrayList<>();
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
@@ -107,13 +108,13 @@ public final class SceneParser {
             throw refusal();
         }
         Scene scene = new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
-        addWarnings(new SceneWarnings(scene));
+        addWarnings(scene);
         return new ParsedScene(scene, warnings.listed());
     }
 
-    private void addWarnings(SceneWarnings about) {
-        about.addTo(warnings, settings.line);
-        int around = about.bodyAroundTheEye();
+    private void addWarnings(Scene scene) {
+        sceneWarnings.addTo(warnings, scene, settings.line);
+        int around = sceneWarnings.bodyAroundTheEye(scene);
         if (around >= 0) {
             warnings.add(lineOfSurface(around), "warning: " + values.token(0)
                 + ": the camera is inside, the material is opaque, and no lgt is inside");
@@ -177,6 +178,7 @@ public final class SceneParser {
     /** Of a scene with errors nothing is kept: it will not be drawn, and a million wrong lines need no memory. */
     private void add(Surface surface) {
         if (problems.isEmpty()) {
+            sceneWarnings.addSurface(surface, surfaces.size());
             surfaces.add(surface);
         }
     }
@@ -186,6 +188,7 @@ public final class SceneParser {
         if (isComplete(LineForm.MTL)) {
             Material material = material();
             if (problems.isEmpty()) {
+                sceneWarnings.addMaterial();
                 materials.add(material);
             }
         }
@@ -212,7 +215,9 @@ public final class SceneParser {
 
     private void readCamera() {
         if (isFirst(camera) && isComplete(LineForm.CAM)) {
-            camera.value = Optional.of(camera());
+            Camera read = camera();
+            camera.value = Optional.of(read);
+            sceneWarnings.setEye(read.position(), surfaces);
         }
     }
 
