@@ -28,6 +28,8 @@ public final class RayTracer {
     /** As after SIGINT, also where the window's Escape key stopped the drawing. */
     private static final int STOPPED = 130;
 
+    private static final long GIGABYTE = 1L << 30;
+
     private RayTracer() {
     }
 
@@ -87,7 +89,14 @@ public final class RayTracer {
     private static String shortage(OutOfMemoryError error) {
         return String.valueOf(error.getMessage()).contains("thread")
             ? "the system allows no more threads; --threads 1 needs the fewest"
-            : "not enough memory for this scene and picture size; java -Xmx4g -jar RayTracer.jar ... allows 4 GB";
+            : "not enough memory for this scene and picture size; java -Xmx" + moreGigabytes() + "g -jar RayTracer.jar ... allows "
+                + moreGigabytes() + " GB";
+    }
+
+    /** Twice what there was, and no less than 4. */
+    private static long moreGigabytes() {
+        long there = (Runtime.getRuntime().maxMemory() - 1) / GIGABYTE + 1;
+        return Math.max(4, 2 * there);
     }
 
     /**

@@ -135,6 +135,17 @@ class ProgramTest {
         assertEquals("older", Files.readString(folder.resolve("out.png")));
     }
 
+    /** The picture's 6.4 GB are asked for at once and never touched. */
+    @ParameterizedTest
+    @CsvSource({"-Xmx64m, -Xmx4g, 4 GB", "-Xmx5g, -Xmx10g, 10 GB"})
+    void whatIsAdvisedForMemoryIsMoreThanThereWas(String there, String option, String advised) throws Exception {
+        Program program = Program.run(Program.JAVA_HOME, List.of(there), folder,
+            "scene.txt", "out.jpg", "40000", "40000", "--quiet");
+        assertEquals("not enough memory for this scene and picture size; java " + option + " -jar RayTracer.jar ... allows "
+            + advised + System.lineSeparator(), program.errors());
+        assertEquals(1, program.status());
+    }
+
     /** As root, a move onto a device would replace it. */
     @Test
     void aDeviceIsNeverReplacedByAPicture() throws Exception {
