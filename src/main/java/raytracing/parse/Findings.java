@@ -28,9 +28,10 @@ final class Findings {
     /** The text is only asked for if it will be listed. */
     void add(int line, Supplier<String> text) {
         if (hasRoomFor(line)) {
-            insert(line, fileName + ":" + line + ": " + text.get());
+            add(line, text.get());
+        } else {
+            count++;
         }
-        count++;
     }
 
     void add(int line, String text) {

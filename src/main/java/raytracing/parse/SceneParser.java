@@ -124,9 +124,9 @@ public final class SceneParser {
     /** Reads the file once more up to a surface, given by its place in the scene: where it stands was not kept. */
     private int lineOfSurface(int place) {
         values.rewind();
-        int surfacesBefore = -1;
-        while (surfacesBefore < place && values.nextLine()) {
-            surfacesBefore += isCompleteSurface() ? 1 : 0;
+        int reached = -1;
+        while (reached < place && values.nextLine()) {
+            reached += isCompleteSurface() ? 1 : 0;
         }
         return values.line();
     }

@@ -389,6 +389,16 @@ class SceneParserTest {
         assertEquals("test.txt: and 13 more", messages.get(20));
     }
 
+    /** That no line has a material is known at the end of the file only. */
+    @Test
+    void anErrorThatIsFoundLateTakesThePlaceOfItsLine() {
+        List<String> messages = messages(HEAD + "sph 0 0 0 1 7\n" + "sph 0 0 0 0 1\n".repeat(30) + "box 0 0 0 1 7\n");
+        assertEquals(21, messages.size());
+        assertEquals("test.txt:4: sph: material must be from 1 to 1, got 7", messages.get(0));
+        assertEquals("test.txt:23: sph: radius must be above 0, got 0", messages.get(19));
+        assertEquals("test.txt: and 12 more", messages.get(20));
+    }
+
     @Test
     void nothingIsCountedBehindTwentyErrors() {
         List<String> messages = messages(HEAD + String.join("\n", Collections.nCopies(20, "sph 0 0 0 0 1")));

@@ -113,6 +113,12 @@ class SceneWarningsTest {
             "sph 99 0 0 1 1\n", body + "\n", "sph 0 0 -5 1 1\n", MTL));
     }
 
+    @Test
+    void theCameraMayComeAfterTheBodyThatItIsIn() {
+        assertEquals(List.of("a.txt:3: warning: box: " + INSIDE),
+            warnings("\nsph 9 9 9 1 1\n", "box 0 0 -5 2 1\n", "sph 0 0 -5 3 1\n", SET, MTL, LGT, CAM));
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"sph 0 0 -4 1 1", "box 0 0 -4 2 1", "sph 0 0 0 1 1", "sph 0 0 -5 1 2", "box 0 0 -5 1 2",
         "sph 0 0 -5 3 1\nlgt 0 0 -6 1 1 1 1 1 1", "sph 0 0 -5 3 1\nlgt 0 0 -8 1 1 1 1 1 1",
@@ -127,6 +133,8 @@ class SceneWarningsTest {
         assertEquals(List.of("a.txt: warning: no surface uses material 2"), warnings(CAM, SET, MTL, MTL, SPH, LGT));
         assertEquals(List.of("a.txt: warning: no surface uses materials 1, 3, 4"),
             warnings(CAM, SET, MTL, MTL, MTL, MTL, SPH.replace("1\n", "2\n"), LGT));
+        assertEquals(List.of("a.txt: warning: no surface uses materials 1, 3"),
+            warnings(CAM, SET, SPH.replace("1\n", "2\n"), MTL, MTL, MTL, LGT));
         assertEquals(List.of("a.txt: warning: no surface uses materials 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 89 more"),
             warnings(CAM, SET, MTL.repeat(100), SPH, LGT));
     }
