@@ -124,6 +124,11 @@ public final class ShadowShaft {
         usesOwnCoordinates = scene.uses(Shortcut.SHAFT_COORDINATES);
     }
 
+    /** Forgets whether the last shaft was dark, which decides how the next answer is found, and never the answer. */
+    public void forgetLast() {
+        wasDark = false;
+    }
+
     /**
      * Turns the shaft from a hit to a light and sorts the surfaces. One long method on purpose: the virtual machine does not
      * compile a method of more than 325 bytes into its callers again (DECISIONS).

@@ -23,6 +23,7 @@ abstract class TileWorker implements Runnable {
     public final void run() {
         try {
             for (Optional<Region> tile = tiles.next(); tile.isPresent(); tile = tiles.next()) {
+                shader.forgetPast();         // so that the counts of a tile are its own, whatever this thread drew before
                 drawAll(tile.get());
                 if (cancellation.isRequested()) {
                     return;

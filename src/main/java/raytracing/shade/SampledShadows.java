@@ -35,6 +35,13 @@ final class SampledShadows extends SoftShadows {
         return sum / ((double) root * root);
     }
 
+    @Override
+    void forgetPast() {
+        for (ShadowShaft shaft : shafts) {
+            shaft.forgetLast();
+        }
+    }
+
     /** One by one, as the samples of a shadow's border are: so both have the same bits. */
     private double sumOfEqual(double transmittance) {
         if (transmittance == 0 || transmittance == 1) {

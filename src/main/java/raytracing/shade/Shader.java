@@ -203,6 +203,14 @@ public final class Shader {
     }
 
     /**
+     * Forgets the rays before. The light never depends on them, but what it takes to find it may: after this, what a piece
+     * of work takes is the same whatever was done before it.
+     */
+    public void forgetPast() {
+        shadows.forgetPast();
+    }
+
+    /**
      * What all calls of {@link #light} so far took together.
      *
      * @return numbers of rays by kind

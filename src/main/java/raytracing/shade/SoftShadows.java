@@ -58,6 +58,10 @@ abstract class SoftShadows {
     /** Mean over the light's square of what comes through to the hit, in [0, 1]. */
     abstract double meanTransmittance(HitPoint hit, int surface, Light light, int number, double error, long key);
 
+    /** Forgets what was asked before, as far as it decides which answers need no ray. */
+    void forgetPast() {
+    }
+
     /** What comes through from the middle of a light: a hard shadow. */
     final double transmittanceFromMiddle(HitPoint hit, int surface, Light light, int number, double error) {
         Vector middle = light.position();
