@@ -17,10 +17,8 @@ final class Crew {
     /**
      * Lets workers work, each on a thread of its own; returns when all are done, or soon after the work was cancelled: what
      * a slow worker still does then is lost.
-     *
-     * @return those that came to an end
      */
-    static <W extends TileWorker> List<W> run(List<W> workers, Cancellation cancellation) {
+    static void run(List<? extends TileWorker> workers, Cancellation cancellation) {
         List<Thread> threads = new ArrayList<>();
         for (TileWorker worker : workers) {
             Thread thread = new Thread(worker, "tiles");
@@ -29,16 +27,11 @@ final class Crew {
             threads.add(thread);
         }
         waitForAll(threads, cancellation);
-        List<W> ended = new ArrayList<>();
         for (int i = 0; i < threads.size(); i++) {
             if (!threads.get(i).isAlive()) {
-                ended.add(workers.get(i));
+                workers.get(i).failure.rethrow();
             }
         }
-        for (W worker : ended) {
-            worker.failure.rethrow();
-        }
-        return ended;
     }
 
     /**

@@ -123,8 +123,9 @@ public final class Drawing implements Bands {
 
     /** Lets workers work until they are done or the drawing is cancelled. */
     void run(List<? extends TileWorker> workers) {
-        for (TileWorker worker : Crew.run(workers, cancellation)) {
-            counts = counts.plus(worker.shader.counts());
+        Crew.run(workers, cancellation);
+        for (TileWorker worker : workers) {
+            counts = counts.plus(worker.counts());
         }
     }
 
@@ -174,6 +175,15 @@ public final class Drawing implements Bands {
     }
 
     /**
+     * How many pixels are what they will be.
+     *
+     * @return of all bands drawn so far
+     */
+    public long finishedPixels() {
+        return progress.finished();
+    }
+
+    /**
      * How many pixels got N x N rays so far, where N is above 1.
      *
      * @return of all bands drawn so far
@@ -183,9 +193,9 @@ public final class Drawing implements Bands {
     }
 
     /**
-     * What the bands took. To be asked by the thread that asked for them.
+     * What the finished tiles of the bands took. To be asked by the thread that asked for them.
      *
-     * @return numbers of rays by kind
+     * @return numbers of rays by kind, the same for every number of threads
      */
     public RayCounts counts() {
         return counts;

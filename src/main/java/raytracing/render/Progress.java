@@ -50,8 +50,9 @@ final class Progress {
         }
         double rays = sampling.root() * sampling.root();
         boolean isEverywhere = sampling.where() == PixelSampling.Where.EVERYWHERE;
-        double edges = judged.get() == 0 ? TYPICAL_SHARE_OF_EDGES : (double) refined.get() / judged.get();
-        double expected = isEverywhere ? rays * pixels : pixels + rays * edges * pixels;
+        double edges = judged.get() == 0 ? TYPICAL_SHARE_OF_EDGES * pixels
+            : refined.get() * ((double) pixels / judged.get());      // in this order, exact when all are judged
+        double expected = isEverywhere ? rays * pixels : pixels + rays * edges;
         return Math.min(1, (looked.get() + rays * refined.get()) / expected);
     }
 }

@@ -47,11 +47,11 @@ public final class Renderer {
      * @param shortcuts work to be skipped, which changes no bit of the picture
      */
     public Renderer(Scene scene, RenderSettings settings, Set<Shortcut> shortcuts) {
+        long start = System.nanoTime();
         this.scene = OrdinaryLengths.of(scene);
         this.settings = settings;
         pixelRays = new PixelRays(this.scene.camera(), settings.width(), settings.height());
         ThreadWorkers workers = new ThreadWorkers(settings.threads());
-        long start = System.nanoTime();
         compiled = new CompiledScene(this.scene, settings.shadowMode(), shortcuts, workers);
         long isCompiled = System.nanoTime();
         ambientLight =

@@ -1,6 +1,7 @@
 package raytracing.render;
 
 import java.util.Optional;
+import raytracing.shade.RayCounts;
 import raytracing.shade.Shader;
 
 /**
@@ -12,6 +13,9 @@ abstract class TileWorker implements Runnable {
     final Failure failure = new Failure();
     private final TileQueue tiles;
     private final Cancellation cancellation;
+
+    /** Of a worker that is too slow to be awaited, this much is known. */
+    private volatile RayCounts counts = RayCounts.NONE;
 
     TileWorker(Renderer renderer, TileQueue tiles, Cancellation cancellation) {
         this.tiles = tiles;
@@ -29,12 +33,18 @@ abstract class TileWorker implements Runnable {
                     return;
                 }
                 tiles.finish(tile.get());
+                counts = shader.counts();
                 finished(tile.get());
             }
         } catch (RuntimeException | Error thrown) {
             failure.keep(thrown);
             tiles.close();
         }
+    }
+
+    /** What the tiles finished so far took; any thread may ask. */
+    final RayCounts counts() {
+        return counts;
     }
 
     /** What is done for a tile: something for each of its pixels. */

@@ -107,7 +107,7 @@ public final class Statistics {
             List.of(region.left(), region.top(), region.width(), region.height())));
         group.put("bands", new Figure.Count(drawing.count()));
         group.put("threads", new Figure.Count(settings.threads()));
-        group.put("share drawn", new Figure.Share(drawing.share()));
+        group.put("share drawn", Figure.Share.of(drawing.finishedPixels(), region.pixelCount()));
         group.put("share of pixels smoothed", Figure.Share.of(drawing.refinedPixels(), region.pixelCount()));
     }
 
@@ -122,7 +122,7 @@ public final class Statistics {
         Map<String, Figure> culled = group("culled");
         culled.put("mirrored rays too faint to be seen", Figure.Share.of(counts.mirroredLeftOut(),
             counts.mirrored() + counts.mirroredLeftOut()));
-        culled.put("lights that a surface faces away from", Figure.Share.of(counts.lightsAtPoints() - counts.lightsAsked(),
+        culled.put("lights that a surface does not show", Figure.Share.of(counts.lightsAtPoints() - counts.lightsAsked(),
             counts.lightsAtPoints()));
         culled.put("other lights whose shadow needed no ray", Figure.Share.of(counts.lightsSettled(), counts.lightsAsked()));
     }

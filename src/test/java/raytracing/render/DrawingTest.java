@@ -166,20 +166,44 @@ class DrawingTest {
             @Override
             public void showTile(Region tile, Film film, Region filmed) {
                 cancellation.request();
-                wait(endOfTest);
-            }
-
-            private static void wait(CountDownLatch latch) {
-                try {
-                    latch.await();
-                } catch (InterruptedException nobodyDoes) {
-                    throw new AssertionError(nobodyDoes);
-                }
+                await(endOfTest);
             }
         };
         Drawing drawing = drawing(settings(1).withWorkers(1, 8), HEIGHT, cancellation, Leftovers.DISCARD, asleep);
         assertThrows(CancelledException.class, () -> drawing.band(0));
         endOfTest.countDown();
+    }
+
+    /** Also those of a worker that is not awaited. */
+    @Test
+    void aStoppedPictureCountsTheRaysOfItsFinishedTiles() {
+        CountDownLatch endOfTest = new CountDownLatch(1);
+        Cancellation cancellation = new Cancellation();
+        List<Region> shown = new ArrayList<>();
+        DrawingListener asleep = new DrawingListener() {
+            @Override
+            public void showTile(Region tile, Film film, Region filmed) {
+                shown.add(tile);
+                if (shown.size() == 3) {
+                    cancellation.request();
+                    await(endOfTest);
+                }
+            }
+        };
+        Drawing drawing = drawing(settings(1).withWorkers(1, 8), HEIGHT, cancellation, Leftovers.KEEP, asleep);
+        drawing.band(0);
+        endOfTest.countDown();
+        long pixels = shown.stream().mapToLong(Region::pixelCount).sum();
+        assertEquals(pixels, drawing.counts().eye());
+        assertEquals(pixels, drawing.finishedPixels());
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
     }
 
     @ParameterizedTest
