@@ -1,9 +1,6 @@
 package raytracing.watch;
 
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
-import java.lang.management.MemoryPoolMXBean;
-import java.lang.management.MemoryType;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -137,19 +134,12 @@ public final class Statistics {
         group.put("all", new Figure.Milliseconds(times.totalNanoseconds));
     }
 
-    /** Java's own objects, and all of the process where the system says it. */
+    /** All memory of the process that was resident at once, where the system says it. */
     private void addMemory() {
-        Map<String, Figure> group = group("bytes");
-        long heap = 0;
-        for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
-            if (pool.getType() == MemoryType.HEAP) {
-                heap += pool.getPeakUsage().getUsed();
-            }
-        }
-        group.put("peak of the heap", new Figure.Count(heap));
         for (String line : linesOf(PROCESS)) {
             if (line.startsWith(PEAK_RESIDENT)) {
-                group.put("peak of the process", new Figure.Count(KILO * Long.parseLong(line.replaceAll("\\D", ""))));
+                long kilobytes = Long.parseLong(line.replaceAll("\\D", ""));
+                group("bytes").put("peak of the process", new Figure.Count(KILO * kilobytes));
             }
         }
     }
