@@ -52,6 +52,8 @@ public final class CompiledScene {
         this.shortcuts = shortcuts;
         surfaces = scene.surfaces().toArray(new Surface[0]);
         Sorter sorter = new Sorter(surfaces);
+        workers.expect((needsHierarchy(sorter.spheres.length) ? sorter.spheres.length : 0)
+            + (needsHierarchy(sorter.boxes.length) ? sorter.boxes.length : 0));
         spheres = new SphereArray(sorter.spheres, sorter.sphereNumbers,
             needsHierarchy(sorter.spheres.length)
                 ? Optional.of(Hierarchy.over(SphereArray.bounds(sorter.spheres), workers)) : Optional.empty());

@@ -74,6 +74,9 @@ final class HierarchyBuilder {
             waiting -= NUMBERS_OF_A_GROUP;
             buildNode(groups[waiting], groups[waiting + 1], groups[waiting + 2], groups[waiting + 3]);
         }
+        if (to - from <= LARGE_GROUP) {
+            workers.advance(to - from);      // the parts of a larger group have told for themselves
+        }
     }
 
     private void add(int node, int from, int to, int depth) {

@@ -16,4 +16,20 @@ public interface Workers {
      * @param second the other, maybe done at the same time
      */
     void doBoth(Runnable first, Runnable second);
+
+    /**
+     * Is told how much there is to do, for the user to see how far it is.
+     *
+     * @param count of bodies or places
+     */
+    default void expect(long count) {
+    }
+
+    /**
+     * Is told that some of it is done. To be called now and then, from any thread.
+     *
+     * @param count of what was done since the last call
+     */
+    default void advance(long count) {
+    }
 }

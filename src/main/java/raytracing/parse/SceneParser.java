@@ -11,6 +11,7 @@ import raytracing.geometry.Plane;
 import raytracing.geometry.Sphere;
 import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.progress.Preparation;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
 import raytracing.scene.Lens;
@@ -40,6 +41,9 @@ public final class SceneParser {
     private static final int MOST_ERRORS_LISTED = 20;
     private static final int MOST_WARNINGS_LISTED = 10;
 
+    /** After so many lines it tells how far it is: rarely enough to cost nothing. */
+    private static final int LINES_UNTIL_TOLD = 1 << 12;
+
     private final String fileName;
     private final SceneText text;
     private final Findings problems;
@@ -51,7 +55,9 @@ public final class SceneParser {
     private final List<Light> lights = new ArrayList<>();
     private final Single<Camera> camera = new Single<>();
     private final Single<Settings> settings = new Single<>();
+    private final Preparation preparation;
     private int linesRead;
+    private int bytesTold;
     private int unknownLines;
     private int materialCount;
     private int largestMaterial;
@@ -62,8 +68,9 @@ public final class SceneParser {
         private int line;
     }
 
-    private SceneParser(String fileName, byte[] bytes) {
+    private SceneParser(String fileName, byte[] bytes, Preparation preparation) {
         this.fileName = fileName;
+        this.preparation = preparation;
         text = new SceneText(bytes);
         problems = new Findings(fileName, MOST_ERRORS_LISTED);
         warnings = new Findings(fileName, MOST_WARNINGS_LISTED);
@@ -79,7 +86,20 @@ public final class SceneParser {
      * @throws IOException if the file is there and cannot be read
      */
     public static ParsedScene parseFile(Path file) throws RayTracerException, IOException {
-        return parse(file.toString(), SceneFile.bytes(file));
+        return parseFile(file, new Preparation());
+    }
+
+    /**
+     * Reads a scene file while another thread asks how far it is.
+     *
+     * @param file where it is
+     * @param preparation is told
+     * @return the scene it describes, and warnings
+     * @throws RayTracerException if there is no such file, or whatever is wrong in it, up to 20 messages
+     * @throws IOException if the file is there and cannot be read
+     */
+    public static ParsedScene parseFile(Path file, Preparation preparation) throws RayTracerException, IOException {
+        return parse(file.toString(), SceneFile.bytes(file), preparation);
     }
 
     /**
@@ -91,13 +111,21 @@ public final class SceneParser {
      * @throws RayTracerException whatever is wrong in it, up to 20 messages
      */
     public static ParsedScene parse(String fileName, byte[] bytes) throws RayTracerException {
-        return new SceneParser(fileName, bytes).parsed();
+        return parse(fileName, bytes, new Preparation());
+    }
+
+    private static ParsedScene parse(String fileName, byte[] bytes, Preparation preparation) throws RayTracerException {
+        preparation.expect(bytes.length);
+        return new SceneParser(fileName, bytes, preparation).parsed();
     }
 
     private ParsedScene parsed() throws RayTracerException {
         while (values.nextLine()) {
             linesRead++;
             readLine();
+            if (linesRead % LINES_UNTIL_TOLD == 0) {
+                tellHowFar();
+            }
         }
         if (largestMaterial > materialCount) {
             checkMaterials();
@@ -145,6 +173,12 @@ public final class SceneParser {
         Optional<String> kind = unknownLines == linesRead ? OtherFile.kind(text) : Optional.empty();
         return kind.isEmpty() ? new RayTracerException(problems.listed())
             : new RayTracerException(fileName + ": is " + kind.get() + ", expected a scene file in UTF-8");
+    }
+
+    private void tellHowFar() {
+        int bytes = text.bytesRead();
+        preparation.advance(bytes - bytesTold);
+        bytesTold = bytes;
     }
 
     private void readLine() {

@@ -75,6 +75,11 @@ final class SceneText {
         return lineNumber;
     }
 
+    /** How many bytes were read so far. */
+    int bytesRead() {
+        return position;
+    }
+
     boolean hasMoreLines() {
         return position < bytes.length;
     }

@@ -9,6 +9,7 @@ import raytracing.compiled.PixelRays;
 import raytracing.compiled.Shortcut;
 import raytracing.film.Film;
 import raytracing.math.CounterRandom;
+import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 import raytracing.shade.AmbientEstimate;
 import raytracing.shade.AmbientLight;
@@ -36,7 +37,18 @@ public final class Renderer {
      * @param settings how
      */
     public Renderer(Scene scene, RenderSettings settings) {
-        this(scene, settings, EnumSet.allOf(Shortcut.class));
+        this(scene, settings, new Preparation());
+    }
+
+    /**
+     * Makes a scene ready to be drawn while another thread asks how far it is.
+     *
+     * @param scene what to draw
+     * @param settings how
+     * @param preparation is told
+     */
+    public Renderer(Scene scene, RenderSettings settings, Preparation preparation) {
+        this(scene, settings, EnumSet.allOf(Shortcut.class), preparation);
     }
 
     /**
@@ -47,13 +59,19 @@ public final class Renderer {
      * @param shortcuts work to be skipped, which changes no bit of the picture
      */
     public Renderer(Scene scene, RenderSettings settings, Set<Shortcut> shortcuts) {
+        this(scene, settings, shortcuts, new Preparation());
+    }
+
+    private Renderer(Scene scene, RenderSettings settings, Set<Shortcut> shortcuts, Preparation preparation) {
+        preparation.begin(Preparation.Step.ARRANGING);
         long start = System.nanoTime();
         this.scene = OrdinaryLengths.of(scene);
         this.settings = settings;
         pixelRays = new PixelRays(this.scene.camera(), settings.width(), settings.height());
-        ThreadWorkers workers = new ThreadWorkers(settings.threads());
+        ThreadWorkers workers = new ThreadWorkers(settings.threads(), preparation);
         compiled = new CompiledScene(this.scene, settings.shadowMode(), shortcuts, workers);
         long isCompiled = System.nanoTime();
+        preparation.begin(Preparation.Step.AMBIENT_LIGHT);
         ambientLight =
             AmbientEstimate.of(this.scene, compiled, settings.width(), settings.height(), settings.seed(), workers);
         compilingNanoseconds = isCompiled - start;

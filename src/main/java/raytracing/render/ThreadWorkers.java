@@ -3,6 +3,7 @@ package raytracing.render;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import raytracing.compiled.Workers;
+import raytracing.progress.Preparation;
 
 /** Does two pieces of work at the same time while a thread is left to do it, and one after the other otherwise. */
 final class ThreadWorkers implements Workers {
@@ -10,10 +11,22 @@ final class ThreadWorkers implements Workers {
     private static final Cancellation NEVER = new Cancellation();
 
     private final AtomicInteger idle;
+    private final Preparation preparation;
 
-    /** With so many threads at most, the calling one included. */
-    ThreadWorkers(int threads) {
+    /** With so many threads at most, the calling one included; how far they are, they tell the preparation. */
+    ThreadWorkers(int threads, Preparation preparation) {
         idle = new AtomicInteger(threads - 1);
+        this.preparation = preparation;
+    }
+
+    @Override
+    public void expect(long count) {
+        preparation.expect(count);
+    }
+
+    @Override
+    public void advance(long count) {
+        preparation.advance(count);
     }
 
     @Override

@@ -102,9 +102,14 @@ public final class AmbientEstimate {
 
     private AmbientLight estimate(PlaceGrid grid, int coarsestStep) {
         List<Place> places = new ArrayList<>();
+        workers.expect((long) grid.edge() * grid.edge());
+        long cellsBefore = 0;
         for (int step = coarsestStep; step >= 1; step /= 2) {
             int before = places.size();
             places.addAll(grid.choose(step, places));
+            long cells = (long) (grid.edge() / step) * (grid.edge() / step);
+            workers.advance(cells - cellsBefore - (places.size() - before));      // nothing is gathered in these
+            cellsBefore = cells;
             new Gathering(places, before, 1, places.size()).run();
         }
         Color further = furtherLight(places);
@@ -228,6 +233,7 @@ public final class AmbientEstimate {
             DiffusePaths paths = new DiffusePaths(scene, compiled);
             for (int i = partFirst; i < partEnd; i += partStride) {
                 paths.gather(places.get(i), CounterRandom.bits(CounterRandom.bits(key, GATHERING), i));
+                workers.advance(1);
             }
         }
     }

@@ -1,12 +1,15 @@
 package raytracing.watch;
 
 import java.io.PrintStream;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import raytracing.progress.Preparation;
 import raytracing.render.Drawing;
 
 /**
- * One line on a terminal that says how far a picture is: the share that is done, the time since the start, and the time that
- * is left if the rest goes as fast. It is written over and over, and gone at the end.
+ * One line on a terminal that says how far a picture is: what is done before the drawing; then the share that is drawn, and
+ * the time that is left if the rest goes as fast; and always the time since the start. It is written over and over, and gone
+ * at the end.
  */
 public final class ProgressLine {
     /** Pictures that take less have no line: it could not be read. */
@@ -15,21 +18,24 @@ public final class ProgressLine {
     private static final double NANO = 1e-9;
 
     /** So much of a name fits into a line of 80 with the rest. */
-    private static final int LONGEST_NAME = 40;
+    private static final int LONGEST_NAME = 38;
 
     private final PrintStream stream;
     private final String name;
-    private final Drawing drawing;
+    private final Preparation preparation;
     private final long start;
-    private final Pace pace = new Pace(System.nanoTime());
+    private Optional<Drawing> drawing = Optional.empty();
+    private Pace pace;
     private int lengthShown;
     private boolean ended;
 
-    private ProgressLine(PrintStream stream, String name, Drawing drawing, long start) {
+    /** A line that is not written yet; the start of the program is as {@link System#nanoTime} had it. */
+    ProgressLine(PrintStream stream, String name, Preparation preparation, long start) {
         this.stream = stream;
         this.name = name.length() > LONGEST_NAME ? name.substring(name.length() - LONGEST_NAME) : name;
-        this.drawing = drawing;
+        this.preparation = preparation;
         this.start = start;
+        pace = new Pace(start);
     }
 
     /**
@@ -45,12 +51,12 @@ public final class ProgressLine {
      * Begins to write it on standard error, beside whatever is done until it ends.
      *
      * @param name of the picture
-     * @param drawing of it, about to begin
+     * @param preparation of it, about to begin
      * @param start of the program, as {@link System#nanoTime} had it
      * @return the line
      */
-    public static ProgressLine begin(String name, Drawing drawing, long start) {
-        ProgressLine line = new ProgressLine(System.err, name, drawing, start);
+    public static ProgressLine begin(String name, Preparation preparation, long start) {
+        ProgressLine line = new ProgressLine(System.err, name, preparation, start);
         Thread thread = new Thread("progress") {
             @Override
             public void run() {
@@ -62,11 +68,21 @@ public final class ProgressLine {
         return line;
     }
 
+    /**
+     * Says how far the drawing is, from now on.
+     *
+     * @param next the drawing, about to begin
+     */
+    public synchronized void follow(Drawing next) {
+        drawing = Optional.of(next);
+        pace = new Pace(System.nanoTime());
+    }
+
     private synchronized void writeUntilEnded() {
         try {
             wait(FIRST_MILLISECONDS);
             while (!ended) {
-                write(text(drawing.share(), System.nanoTime()));
+                write(text(System.nanoTime()));
                 wait(NEXT_MILLISECONDS);
             }
         } catch (InterruptedException request) {
@@ -80,11 +96,25 @@ public final class ProgressLine {
         lengthShown = text.length();
     }
 
-    private String text(double share, long now) {
-        pace.advance(share, now);
+    /** What the line says at a time. */
+    String text(long now) {
+        String elapsed = "  " + Clock.text((now - start) * NANO) + " elapsed";
+        if (drawing.isEmpty()) {
+            Preparation.State state = preparation.state();
+            return name + "  " + words(state.step()) + (state.share() > 0 ? "  " + (int) (100 * state.share()) + " %" : "") + elapsed;
+        }
+        pace.advance(drawing.get().share(), now);
         OptionalDouble left = pace.secondsLeft();
-        return name + "  " + pace.percent() + " %  " + Clock.text((now - start) * NANO) + " elapsed"
+        return name + "  " + pace.percent() + " %" + elapsed
             + (left.isEmpty() ? "" : "  " + Clock.text(left.getAsDouble()) + " left");
+    }
+
+    private static String words(Preparation.Step step) {
+        return switch (step) {
+            case READING -> "reading";
+            case ARRANGING -> "arranging";
+            case AMBIENT_LIGHT -> "ambient light";
+        };
     }
 
     /** Takes the line away; what is written then begins where it was. */

@@ -9,6 +9,7 @@ import raytracing.parse.ParsedScene;
 import raytracing.parse.Printable;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.progress.Preparation;
 import raytracing.render.Cancellation;
 import raytracing.render.CancelledException;
 import raytracing.render.Drawing;
@@ -23,12 +24,17 @@ public final class Session {
     private final ImageFile file;
     private final Cancellation cancellation = new Cancellation();
     private final long start = System.nanoTime();
+    private final Preparation preparation = new Preparation();
+    private final Optional<ProgressLine> line;
     private long parsingNanoseconds;
 
     private Session(Command.Draw command) {
         this.command = command;
         messages = new Messages(command.output().toString(), command.format(), command.settings());
         file = new ImageFile(command.output(), command.format());
+        line = !command.wants(Extra.QUIET) && ProgressLine.isWanted()
+            ? Optional.of(ProgressLine.begin(Printable.of(command.output().toString()), preparation, start))
+            : Optional.empty();
         Thread.setDefaultUncaughtExceptionHandler(messages);
     }
 
@@ -41,7 +47,12 @@ public final class Session {
      * @throws IOException if a file cannot be read or written; then whatever stood there before still does
      */
     public static Outcome draw(Command.Draw command) throws RayTracerException, IOException {
-        return new Session(command).draw();
+        Session session = new Session(command);
+        try {
+            return session.draw();
+        } finally {
+            session.endLine();
+        }
     }
 
     /** How it ended. */
@@ -56,7 +67,7 @@ public final class Session {
     private Outcome draw() throws RayTracerException, IOException {
         refuseOutputThatCannotBe();
         Thread encoder = file.prepare();
-        ParsedScene parsed = SceneParser.parseFile(command.scene());
+        ParsedScene parsed = SceneParser.parseFile(command.scene(), preparation);
         parsingNanoseconds = System.nanoTime() - start;
         for (String warning : parsed.warnings()) {
             say(warning);
@@ -85,7 +96,7 @@ public final class Session {
     }
 
     private Outcome draw(Scene scene, Optional<Preview> preview) throws IOException {
-        Renderer renderer = new Renderer(scene, command.settings());
+        Renderer renderer = new Renderer(scene, command.settings(), preparation);
         Drawing drawing = renderer.drawing(cancellation, command.wants(Extra.KEEP_PARTIAL)
             ? Cancellation.Leftovers.KEEP : Cancellation.Leftovers.DISCARD,
             preview.isPresent() ? preview.get() : DrawingListener.NONE);
@@ -118,11 +129,9 @@ public final class Session {
      * @return false if there is no picture because nobody wants it
      */
     private boolean write(Drawing drawing) throws IOException {
-        boolean isQuiet = command.wants(Extra.QUIET);
-        Optional<ProgressLine> line = !isQuiet && ProgressLine.isWanted()
-            ? Optional.of(ProgressLine.begin(Printable.of(command.output().toString()), drawing, start))
-            : Optional.empty();
-        if (line.isEmpty()) {
+        if (line.isPresent()) {
+            line.get().follow(drawing);
+        } else {
             say(messages.begun(command.scene().toString()));
         }
         try {
@@ -133,9 +142,14 @@ public final class Session {
         } catch (IOException failure) {
             throw new IOException(messages.failed(failure));
         } finally {
-            if (line.isPresent()) {
-                line.get().end();
-            }
+            endLine();
+        }
+    }
+
+    /** Before anything else is said. */
+    private void endLine() {
+        if (line.isPresent()) {
+            line.get().end();
         }
     }
 
