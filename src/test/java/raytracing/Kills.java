@@ -19,14 +19,18 @@ record Kills(int older, int newer, int withoutJava) {
     private static final int SIGTERM = 15;
     private static final String JAVA_FAILED = "Error occurred during initialization of VM";
 
-    /** So simple that a good part of the time goes into writing the file. */
+    /**
+     * A floor that a ball in the middle of the lamps shades at random, four rays to each: such noise is drawn in less time than it
+     * takes to write, for it cannot be compressed.
+     */
     private static final String SCENE = """
-        cam 0 1 -3   0 0 0   0 1 0   1 1
-        set 0.25 0.5 1   1 4
+        cam 0 2 0   0 0 0   0 0 1   1 1
+        set 0.25 0.5 1   2 4
         mtl 0.5 0.5 0.5   0 0 0   0 0 0   1 0
         pln 0 1 0  0  1
-        sph 0 0.5 0  0.5  1
-        lgt 0 9 0   1 1 1   1 1 20
+        sph 0 9 0  6  1
+        lgt 0 9 0   0.3 0.9 0.6   1 1 20
+        lgt 0 9 0   0.9 0.4 0.5   1 1 20
         """;
     private static final byte[] OLDER = "older".getBytes();
 
@@ -36,8 +40,9 @@ record Kills(int older, int newer, int withoutJava) {
     }
 
     /**
-     * Kills programs, two at a time, by one signal each, after a random share of the time from their first instruction to a bit
-     * after the end. Whatever happens at that moment, the file must be whole and the exit status a right one.
+     * Kills programs, two at a time, by one signal each: half of them as soon as a file is seen to be written, the others after
+     * a random share of the time that they take and a bit more. Whatever happens then, the file must be whole and the exit
+     * status a right one.
      */
     static Kills of(Path folder, int count) throws IOException, InterruptedException {
         Files.writeString(folder.resolve("scene.txt"), SCENE);
@@ -55,18 +60,29 @@ record Kills(int older, int newer, int withoutJava) {
             Files.write(folder.resolve("kill.png"), OLDER);
             Process term = start(folder, "term");
             Process kill = start(folder, "kill");
-            Thread.sleep((long) (1.2 * random.nextDouble() * usual / 1e6));
+            if (i % 4 == 0) {
+                Patience.await("file to be written", () -> isWritten(folder));
+            } else {
+                Thread.sleep((long) (1.2 * random.nextDouble() * usual / 1e6));
+            }
             term.destroy();
             kill.destroyForcibly();
             kills = kills.with(folder, "term", Patience.awaitEnd(term), SIGTERM, newPicture)
                 .with(folder, "kill", Patience.awaitEnd(kill), SIGKILL, newPicture);
+            Shell.run(folder, "rm -f .[!.]*");
         }
         return kills;
     }
 
+    /** Whether there is more in a folder than the older files: a hidden one beside them, or another size. */
+    private static boolean isWritten(Path folder) throws IOException {
+        return Folders.names(folder).get(0).startsWith(".") || Files.size(folder.resolve("kill.png")) != OLDER.length
+            || Files.size(folder.resolve("term.png")) != OLDER.length;
+    }
+
     private static Process start(Path folder, String name) throws IOException {
         Path log = folder.resolve(name + ".log");
-        return Program.start(Program.JAVA_HOME, List.of(), folder, log, log, "scene.txt", name + ".png", "500", "500",
+        return Program.start(Program.JAVA_HOME, List.of(), folder, log, log, "scene.txt", name + ".png", "400", "400",
             "--threads", "1");
     }
 
