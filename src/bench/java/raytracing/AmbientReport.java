@@ -4,23 +4,18 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import javax.imageio.ImageIO;
 import raytracing.parse.RayTracerException;
-import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
-import raytracing.shade.AmbientLight;
 
-/** Writes into AMBIENT.md and README.md what estimates of ambient light are worth, and draws scenes without it. */
+/** Writes into AMBIENT.md and README.md what estimates of ambient light are worth. */
 public final class AmbientReport {
     private static final Path DOCUMENT = Path.of("src", "docs", "AMBIENT.md");
     private static final Path README = Path.of("README.md");
-    private static final Path PICTURES = Path.of("src", "docs", "ambient");
 
     private AmbientReport() {
     }
 
     /**
-     * Measures, draws and writes.
+     * Measures and writes.
      *
      * @param arguments {@code quick} for fewer rays and runs
      */
@@ -37,13 +32,5 @@ public final class AmbientReport {
         } finally {
             MeasuredProcess.delete(folder);
         }
-        drawWithoutAmbientLight("arcade");
-        drawWithoutAmbientLight("studio");
-    }
-
-    private static void drawWithoutAmbientLight(String name) throws IOException, RayTracerException {
-        Renderer renderer = new Renderer(RayTracer.parseScene(Path.of("scenes", name + ".txt")), RenderSettings.DEFAULT);
-        ImageIO.write(renderer.inAmbientLight(AmbientLight.NONE).render().toImage(), "png",
-            PICTURES.resolve(name + "_without.png").toFile());
     }
 }
