@@ -25,7 +25,8 @@ final class TerminalProgram implements AutoCloseable {
 
     /** Starts it in a folder, by a command that runs the one behind it ({@code env}, for example). */
     static TerminalProgram start(Path folder, String through, String... arguments) throws IOException, InterruptedException {
-        Skipped.unless(Shell.run(folder, "script -qefc true shown").status() == 0, "there is no script here, which makes terminals");
+        Skipped.unless(Shell.run(folder, "script -qefc true shown").status() == 0,
+            "there is no script here, which makes terminals");
         return new TerminalProgram(Shell.start(folder, Redirect.DISCARD, "exec script -qefc 'echo $$ > pid; exec " + through
             + " \"$JAVA\" -jar \"$JAR\" " + String.join(" ", arguments) + "' shown"), folder);
     }
