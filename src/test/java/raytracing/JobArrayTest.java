@@ -12,7 +12,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The job arrays of README, run as they stand there, give the picture that one program draws. */
+/**
+ * README's lines for GNU parallel, run as they stand there, give the picture that one program draws. Those for Slurm are
+ * tried by {@code gradle slurm}.
+ */
 class JobArrayTest {
     private static final String WHOLE = "java -jar build/libs/RayTracer.jar scenes/boxes.txt expected.png 900 900 --quiet";
 
@@ -28,38 +31,18 @@ class JobArrayTest {
         Files.createSymbolicLink(folder.resolve("scenes"), Path.of("scenes").toAbsolutePath());
     }
 
-    private static String commands(String name) throws IOException {
-        Pattern block = Pattern.compile("<!-- job array: " + name + " -->\\R```sh\\R(.*?)```", Pattern.DOTALL);
+    private static String commands() throws IOException {
+        Pattern block = Pattern.compile("<!-- job array: parallel -->\\R```sh\\R(.*?)```", Pattern.DOTALL);
         return block.matcher(Files.readString(Path.of("README.md"))).results().map((MatchResult match) -> match.group(1))
             .findFirst().orElseThrow();
-    }
-
-    private void assertWholeIsTheExpectedPicture(String... commands) throws Exception {
-        Shell drawn = Shell.run(folder, "set -e", "PATH=$(dirname \"$JAVA\"):$PATH",
-            String.join("\n", commands), WHOLE);
-        assertEquals(0, drawn.status(), drawn.text());
-        Shell compared = Shell.run(folder, "compare -metric AE whole.png expected.png null:");
-        assertEquals("0", compared.text().strip(), "pixels that differ");
     }
 
     @Test
     void gnuParallelDrawsThePartsOfAPicture() throws Exception {
         assumeTrue(Shell.has("parallel"), "skipped: GNU parallel is not installed");
-        assertWholeIsTheExpectedPicture(commands("parallel"));
-    }
-
-    /** What Slurm does with these two options: the command, for each number of the array, in a shell of its own. */
-    private static final String SBATCH = """
-        sbatch() {
-          local array=${1#--array=} command=${2#--wrap=}
-          for i in $(seq ${array%-*} ${array#*-}); do
-            SLURM_ARRAY_TASK_ID=$i sh -c "$command"
-          done
-        }
-        """;
-
-    @Test
-    void slurmDrawsThePartsOfAPicture() throws Exception {
-        assertWholeIsTheExpectedPicture(SBATCH, commands("slurm"), "convert part-0.png part-1.png part-2.png -append whole.png");
+        Shell drawn = Shell.run(folder, "set -e", "PATH=$(dirname \"$JAVA\"):$PATH", commands(), WHOLE);
+        assertEquals(0, drawn.status(), drawn.text());
+        Shell compared = Shell.run(folder, "compare -metric AE whole.png expected.png null:");
+        assertEquals("0", compared.text().strip(), "pixels that differ");
     }
 }
