@@ -28,22 +28,23 @@ public final class CommandLine {
     /** What {@code --help} prints. */
     public static final String HELP = """
         usage: java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]
-        Draws a scene file into a picture (.png .jpg .bmp .gif); 500 x 500 by default.
+        Draws a scene file as a picture (.png .jpg .bmp .gif), 500 x 500 by default.
         The picture
-          --samples N        smooth edges by N x N rays; default 1; 3 for the final one
-          --shadows exact    soft shadows without noise; default sampled, as in class
-          --shadow-rays N    N x N rays to each light; default the scene's; 1 is quick
-          --opaque-shadows   glass stops all light, as in class; by default it tints it
+          --samples N        smooth edges: N x N rays in pixels at edges; default 1
+          --shadows exact    noise-free: what N x N sampling converges to, and usually
+                             faster than 5 x 5; default sampled, as in the exercise
+          --shadow-rays N    N x N shadow rays to each light; default: as the scene says
+          --opaque-shadows   glass casts full shadows; by default it dims the light
           --seed N           other random numbers, to tell noise from detail; default 1
-          --region X,Y,W,H   only these pixels; default all; for a detail, or job arrays
+          --region X,Y,W,H   draw only this part: left, top, width, height; default all
         While it is drawn
-          --preview          shows it in a window; wheel zooms, Esc stops; default none
-          --keep-partial     if stopped, save what is finished; default the older file
-          --threads N        default one for each processor; fewer leave room for others
-          --stats[=json]     what it took, at the end; json on standard output for tools
-          --quiet            only errors, for scripts; by default progress and a summary
-        Other words
-          --help  --version  this text, or the version; nothing is drawn
+          --preview          show the picture while rendering; off by default
+          --keep-partial     when stopped, save the finished part (default: keep the old
+                             file); gaps are transparent in a png of up to 2048 x 2048
+          --threads N        how many threads draw; default: one for each processor
+          --stats[=json]     print at the end counts of rays, times, memory; default off
+          --quiet            print only errors; default: progress and a summary
+          --help  --version  print this text, or the version, and draw nothing
           --                 all words after it are names and sizes, even -scene.txt
         Examples: a first look, then the final picture
           java -jar RayTracer.jar scenes/boxes.txt boxes.png
