@@ -6,10 +6,9 @@ import java.nio.file.Path;
 import java.util.List;
 import raytracing.parse.RayTracerException;
 
-/** Writes into AMBIENT.md and README.md what estimates of ambient light are worth. */
+/** Writes into AMBIENT.md what estimates of ambient light are worth. */
 public final class AmbientReport {
     private static final Path DOCUMENT = Path.of("src", "docs", "AMBIENT.md");
-    private static final Path README = Path.of("README.md");
 
     private AmbientReport() {
     }
@@ -25,10 +24,9 @@ public final class AmbientReport {
         Path folder = Files.createTempDirectory("ambient");
         try {
             String origin = Machine.origin("gradle ambient" + (isQuick ? " -Pquick" : "")) + " " + AmbientRoom.missing();
-            String summary = AmbientErrors.summary(effort);
-            MeasuredPart.replace(DOCUMENT, origin + "\n### Errors\n\n" + AmbientErrors.section(effort)
+            MeasuredPart.replace(DOCUMENT, origin + "\n### Pictures\n\n" + AmbientErrors.pictures(effort)
+                + "\n### Errors\n\n" + AmbientErrors.section(effort)
                 + "\n### Times\n\n" + AmbientTimes.section(effort, folder));
-            MeasuredPart.replace(README, summary + "\n" + origin);
         } finally {
             MeasuredProcess.delete(folder);
         }

@@ -11,9 +11,9 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Writes into README.md, and says, which share of the program the tests reach. */
+/** Writes into MUTATION.md, and says, which share of the program the tests reach. */
 public final class CoverageReport {
-    private static final Path DOCUMENT = Path.of("README.md");
+    private static final Path DOCUMENT = Path.of("src", "docs", "MUTATION.md");
     private static final String PACKAGE = RayTracer.class.getPackageName();
 
     private CoverageReport() {

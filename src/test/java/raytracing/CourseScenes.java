@@ -27,7 +27,7 @@ final class CourseScenes {
     }
 
     /**
-     * Prints README's table of differences.
+     * Prints COURSE.md's table of differences.
      *
      * @param arguments none
      */

@@ -1,47 +1,89 @@
 package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.regex.MatchResult;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.jar.JarFile;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.zip.ZipEntry;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * README's lines for GNU parallel, run as they stand there, give the picture that one program draws. Those for Slurm are
- * tried by {@code gradle slurm}.
+ * README's commands, run as they stand there in a folder like a checkout. Its Slurm lines are tried by {@code gradle
+ * slurm}, its test command by the script in {@code .ci}.
  */
-class JobArrayTest {
-    private static final String WHOLE = "java -jar build/libs/RayTracer.jar scenes/boxes.txt expected.png 900 900 --quiet";
+class ReadmeCommandsTest {
+    private static final Pattern DRAWING =
+        Pattern.compile("^java -jar build/libs/RayTracer\\.jar scenes/.*$", Pattern.MULTILINE);
 
     @TempDir
     private Path folder;
 
-    /** A folder like a checkout. */
     @BeforeEach
-    void link() throws Exception {
-        assumeTrue(Shell.has("convert", "compare"), "skipped: ImageMagick is not installed");
-        Files.createDirectories(folder.resolve("build/libs"));
-        Files.createSymbolicLink(folder.resolve("build/libs/RayTracer.jar"), Program.JAR.toAbsolutePath());
+    void linkSources() throws IOException {
+        Files.createSymbolicLink(folder.resolve("src"), Path.of("src").toAbsolutePath());
         Files.createSymbolicLink(folder.resolve("scenes"), Path.of("scenes").toAbsolutePath());
     }
 
-    private static String commands() throws IOException {
-        Pattern block = Pattern.compile("<!-- job array: parallel -->\\R```sh\\R(.*?)```", Pattern.DOTALL);
-        return block.matcher(Files.readString(Path.of("README.md"))).results().map((MatchResult match) -> match.group(1))
-            .findFirst().orElseThrow();
+    private void linkJar() throws IOException {
+        Files.createDirectories(folder.resolve("build/libs"));
+        Files.createSymbolicLink(folder.resolve("build/libs/RayTracer.jar"), Program.JAR.toAbsolutePath());
+    }
+
+    private static String readme() throws IOException {
+        return Files.readString(Path.of("README.md"));
+    }
+
+    /** The lines of the block that follows a mark. */
+    private static String block(String mark) throws IOException {
+        Matcher block = Pattern.compile("<!-- " + mark + " -->\\R```sh\\R(.*?)```", Pattern.DOTALL).matcher(readme());
+        assertTrue(block.find(), mark);
+        return block.group(1);
+    }
+
+    private void run(String... commands) throws Exception {
+        Shell run = Shell.run(folder, "set -e", "PATH=$(dirname \"$JAVA\"):$PATH", String.join("\n", commands));
+        assertEquals(0, run.status(), run.text());
+    }
+
+    private static Set<String> classes(Path jar) throws IOException {
+        try (JarFile file = new JarFile(jar.toFile())) {
+            return new TreeSet<>(file.stream().map(ZipEntry::getName).filter(name -> name.endsWith(".class")).toList());
+        }
+    }
+
+    @Test
+    void aJdkAloneBuildsTheSameProgram() throws Exception {
+        assumeTrue(Files.exists(Program.JAVA_HOME.resolve("bin/javac")), "skipped: this Java has no compiler");
+        run(block("plain JDK"));
+        assertEquals(classes(Program.JAR), classes(folder.resolve("build/libs/RayTracer.jar")));
+        run("\"$JAVA\" -jar \"$JAR\" scenes/fisheye_scene.txt expected.png --quiet", "cmp picture.png expected.png");
+    }
+
+    @Test
+    void theDrawingCommandsDraw() throws Exception {
+        linkJar();
+        List<String> commands = DRAWING.matcher(readme()).results().map(match -> match.group()).toList();
+        assertTrue(commands.size() >= 2, commands::toString);
+        run(commands.toArray(String[]::new));
     }
 
     @Test
     void gnuParallelDrawsThePartsOfAPicture() throws Exception {
+        assumeTrue(Shell.has("convert", "compare"), "skipped: ImageMagick is not installed");
         assumeTrue(Shell.has("parallel"), "skipped: GNU parallel is not installed");
-        Shell drawn = Shell.run(folder, "set -e", "PATH=$(dirname \"$JAVA\"):$PATH", commands(), WHOLE);
-        assertEquals(0, drawn.status(), drawn.text());
+        linkJar();
+        run(block("job array: parallel"), "\"$JAVA\" -jar \"$JAR\" scenes/boxes.txt expected.png 900 900 --quiet");
         Shell compared = Shell.run(folder, "compare -metric AE whole.png expected.png null:");
         assertEquals("0", compared.text().strip(), "pixels that differ");
     }
