@@ -65,9 +65,12 @@ class ReadmeCommandsTest {
     @Test
     void aJdkAloneBuildsTheSameProgram() throws Exception {
         assumeTrue(Files.exists(Program.JAVA_HOME.resolve("bin/javac")), "skipped: this Java has no compiler");
-        run(block("plain JDK"));
+        String lines = block("plain JDK");
+        run(lines);
         assertEquals(classes(Program.JAR), classes(folder.resolve("build/libs/RayTracer.jar")));
-        run("\"$JAVA\" -jar \"$JAR\" scenes/fisheye_scene.txt expected.png --quiet", "cmp picture.png expected.png");
+        String drawing = lines.substring(lines.indexOf("java -jar"));
+        run(drawing.replace("build/libs/RayTracer.jar", "\"$JAR\"").replace("picture.png", "expected.png"));
+        run("cmp picture.png expected.png");
     }
 
     @Test

@@ -39,6 +39,7 @@ public final class CommandLine {
           --region X,Y,W,H   draw only this part: left, top, width, height; default all
         While it is drawn
           --preview          show the picture while rendering; off by default
+          --watch            draw again in a window whenever the scene is saved
           --keep-partial     when stopped, save the finished part (default: keep the old
                              file); gaps are transparent in a png of up to 2048 x 2048
           --threads N        how many threads draw; default: one for each processor
