@@ -1,12 +1,24 @@
 package raytracing.compiled;
 
 /** Whoever does the work of making a scene ready: one thread, or several. The result is the same. */
-@FunctionalInterface
 public interface Workers {
-    /** The calling thread alone. */
-    Workers ALONE = (first, second) -> {
-        first.run();
-        second.run();
+    /** The calling thread alone, which tells its progress to no user. */
+    Workers ALONE = new Workers() {
+        @Override
+        public void doBoth(Runnable first, Runnable second) {
+            first.run();
+            second.run();
+        }
+
+        @Override
+        public void expect(long count) {
+            // not shown
+        }
+
+        @Override
+        public void advance(long count) {
+            // not shown
+        }
     };
 
     /**
@@ -22,14 +34,12 @@ public interface Workers {
      *
      * @param count of bodies or places
      */
-    default void expect(long count) {
-    }
+    void expect(long count);
 
     /**
      * Is told that some of it is done. To be called now and then, from any thread.
      *
      * @param count of what was done since the last call
      */
-    default void advance(long count) {
-    }
+    void advance(long count);
 }

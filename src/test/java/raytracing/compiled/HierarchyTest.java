@@ -165,21 +165,35 @@ class HierarchyTest {
     void theTreeDoesNotDependOnWhoBuildsIt() {
         double[] numbers = Boxes.scattered(300_000, 0.005);
         Hierarchy expected = Boxes.of(numbers).hierarchy();
-        Hierarchy found = Boxes.of(numbers, HierarchyTest::onTwoThreads).hierarchy();
+        Hierarchy found = Boxes.of(numbers, new OnTwoThreads()).hierarchy();
         assertArrayEquals(expected.order(), found.order());
         assertArrayEquals(expected.nodes().links(), found.nodes().links());
         assertArrayEquals(expected.nodes().boxes(), found.nodes().boxes());
         assertArrayEquals(expected.nodes().sizes(), found.nodes().sizes());
     }
 
-    private static void onTwoThreads(Runnable first, Runnable second) {
-        Thread helper = new Thread(first);
-        helper.start();
-        second.run();
-        try {
-            helper.join();
-        } catch (InterruptedException request) {
-            throw new IllegalStateException(request);
+    /** Hands the first piece of work to another thread, and forgets how far it is. */
+    private static final class OnTwoThreads implements Workers {
+        @Override
+        public void doBoth(Runnable first, Runnable second) {
+            Thread helper = new Thread(first);
+            helper.start();
+            second.run();
+            try {
+                helper.join();
+            } catch (InterruptedException request) {
+                throw new IllegalStateException(request);
+            }
+        }
+
+        @Override
+        public void expect(long count) {
+            // not shown
+        }
+
+        @Override
+        public void advance(long count) {
+            // not shown
         }
     }
 
