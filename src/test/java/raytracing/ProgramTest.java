@@ -100,7 +100,7 @@ class ProgramTest {
         "no.txt out.png                 | no.txt: no such file, expected a scene file",
         "scene.txt out.tiff             | out.tiff: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
         "scene.txt none/out.png         | none/out.png: no such folder",
-        "scene.txt out.png 40           | a width without a height, did you mean scene.txt out.png 40 40? Expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "scene.txt out.png 40           | a width without a height, did you mean scene.txt out.png 40 40? See --help",
         "scene.txt out.png 40 0         | height: must be a whole number from 1 to 715827879, got 0",
         "scene.txt out.png --fast       | --fast: unknown option, see --help",
         "scene.txt                      | no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",

@@ -53,7 +53,7 @@ public final class CommandLine {
         Exit status: 0 done, 1 the machine failed, 2 scene or command wrong, 130 stopped
         """;
 
-    private static final String USAGE = "xpected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
+    private static final String USAGE = "expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
     private static final String FOUR_NUMBERS = "(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
@@ -216,13 +216,12 @@ public final class CommandLine {
 
     private Command draw() throws RayTracerException {
         if (operands.size() != 2 && operands.size() != 4) {
-            throw new RayTracerException(count() + suggestion(": e") + USAGE);
+            throw wrongOperands(count(), ": " + USAGE);
         }
         String output = operands.get(1);
         Optional<ImageFormat> format = ImageFormat.ofEnding(output);
         if (format.isEmpty()) {
-            throw new RayTracerException(output
-                + ": unknown picture format" + suggestion(", e") + "xpected a name ending in .png, .jpg, .bmp or .gif");
+            throw wrongOperands(output + ": unknown picture format", ", expected a name ending in .png, .jpg, .bmp or .gif");
         }
         settings = sized(format.get());
         return new Command.Draw(path(operands.get(0)), path(output), format.get(),
@@ -239,13 +238,12 @@ public final class CommandLine {
         };
     }
 
-    /** What the names and sizes were probably meant to be. The sentence goes on behind an e, small or large. */
-    private String suggestion(String otherwise) {
-        if (operands.size() == 1 && isHelpElsewhere(operands.get(0))) {
-            return ", did you mean --help? E";
-        }
-        Optional<String> meant = Rearranged.of(operands);
-        return meant.isPresent() ? ", did you mean " + meant.get() + "? E" : otherwise;
+    /** Says what the names and sizes were probably meant to be, or what is expected if that cannot be told. */
+    private RayTracerException wrongOperands(String problem, String expected) {
+        boolean isHelp = operands.size() == 1 && isHelpElsewhere(operands.get(0));
+        Optional<String> meant = isHelp ? Optional.of("--help") : Rearranged.of(operands);
+        return new RayTracerException(meant.isPresent()
+            ? problem + ", did you mean " + meant.get() + "? See --help" : problem + expected);
     }
 
     private static boolean isHelpElsewhere(String word) {

@@ -30,7 +30,7 @@ final class UnknownCode {
         new Meaning("models from other files", "obj", "ply", "stl", "mesh", "model"));
 
     private static final String EXPECTED_SURFACES = "expected sph, pln or box";
-    private static final String EXPECTED_CODES = "xpected cam, set, mtl, sph, pln, box or lgt";
+    private static final String EXPECTED_CODES = "expected cam, set, mtl, sph, pln, box or lgt";
 
     /** Shorter words are near to too many others: "res" is no misspelt "rec". */
     private static final int LONG_ENOUGH = 5;
@@ -55,8 +55,8 @@ final class UnknownCode {
             return unknown.get().meant + " are not supported, " + EXPECTED_SURFACES;
         }
         Optional<Meaning> known = meaning(word, CODES);
-        return "unknown code" + Hint.aboutCode(code)
-            + (known.isPresent() ? ", did you mean " + known.get().meant + "? E" : ", e") + EXPECTED_CODES;
+        return "unknown code" + Hint.aboutCode(code) + ", " + EXPECTED_CODES
+            + (known.isPresent() ? ", did you mean " + known.get().meant + "?" : "");
     }
 
     /** As far as it consists of letters, or of what looks like them: a number may be glued to it. */

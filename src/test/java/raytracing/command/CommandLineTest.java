@@ -89,8 +89,8 @@ class CommandLineTest {
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "\"\"                      | no scene and no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
         "s.txt                     | no output: expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
-        "s.txt o.png 30            | a width without a height, did you mean s.txt o.png 30 30? Expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
-        "s.txt o.png 30 20 10      | 5 names and sizes, did you mean s.txt o.png 30 20? Expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help",
+        "s.txt o.png 30            | a width without a height, did you mean s.txt o.png 30 30? See --help",
+        "s.txt o.png 30 20 10      | 5 names and sizes, did you mean s.txt o.png 30 20? See --help",
         "s.txt o.tif               | o.tif: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
         "s.txt o                   | o: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
         "s.txt o.gif 65536 2       | width: must be a whole number from 1 to 65535, got 65536",

@@ -286,7 +286,7 @@ class SceneParserTest {
         "set 0 0 0 1 1             | set: one too many, the first is on line 2, expected exactly one",
         "cam 0 0 0 1 1 1 0 1 0 1 1 | cam: one too many, the first is on line 1, expected exactly one",
         "cam 0                     | cam: one too many, the first is on line 1, expected exactly one",
-        "sphere 0 0 0 1 1          | sphere: unknown code, did you mean sph? Expected cam, set, mtl, sph, pln, box or lgt",
+        "sphere 0 0 0 1 1          | sphere: unknown code, expected cam, set, mtl, sph, pln, box or lgt, did you mean sph?",
         "trg 0 0 0 1 1             | trg: triangles are not supported, expected sph, pln or box",
         "= 1                       | =: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
     })

@@ -2,12 +2,13 @@ package raytracing.parse;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class UnknownCodeTest {
-    private static final String CODES = "xpected cam, set, mtl, sph, pln, box or lgt";
+    private static final String CODES = "expected cam, set, mtl, sph, pln, box or lgt";
 
     @ParameterizedTest
     @CsvSource({"cub, box", "cube, box", "CUBE, box", "sphere, sph", "shpere, sph", "spr, sph", "ball, sph", "plane, pln",
@@ -15,7 +16,7 @@ class UnknownCodeTest {
         "material, mtl", "materail, mtl", "mat, mtl", "mlt, mtl", "settings, set", "sett, set", "bxo, box", "boxes, box",
         "sph:, sph", "sph=1, sph", "sph1, sph", "sph-1, sph"})
     void aMisspeltCodeGetsTheNearest(String code, String meant) {
-        assertEquals("unknown code, did you mean " + meant + "? E" + CODES, UnknownCode.message(code));
+        assertEquals("unknown code, " + CODES + ", did you mean " + meant + "?", UnknownCode.message(code));
     }
 
     @ParameterizedTest
@@ -30,7 +31,7 @@ class UnknownCodeTest {
     @ParameterizedTest
     @ValueSource(strings = {"xyz", "hello", "=", "1", "res", "col", "tex", "fog", "s", "-1"})
     void whatIsNearToNothingGetsNoSuggestion(String code) {
-        assertEquals("unknown code, e" + CODES, UnknownCode.message(code));
+        assertEquals("unknown code, " + CODES, UnknownCode.message(code));
     }
 
     @ParameterizedTest
@@ -41,15 +42,19 @@ class UnknownCodeTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "\uff53\uff50\uff48 | (U+FF53 FULLWIDTH LATIN SMALL LETTER S, write s), did you mean sph? E",
-        "s\u0440h           | (U+0440 CYRILLIC SMALL LETTER ER), did you mean sph? E",
-        "s\u200bph          | (U+200B ZERO WIDTH SPACE, leave it out), did you mean sph? E",
-        "\u2212sph          | (U+2212 MINUS SIGN, write -), did you mean sph? E",
-        "sph(0,0,0)         | (values are separated by white space, not by brackets), did you mean sph? E",
-        "sph,0,0,0,1,1      | (values are separated by white space, not by commas), did you mean sph? E",
-        "\u05db\u05d3\u05d5\u05e8 | (U+05DB HEBREW LETTER KAF), e",
+        "\uff53\uff50\uff48 | (U+FF53 FULLWIDTH LATIN SMALL LETTER S, write s)",
+        "s\u0440h           | (U+0440 CYRILLIC SMALL LETTER ER)",
+        "s\u200bph          | (U+200B ZERO WIDTH SPACE, leave it out)",
+        "\u2212sph          | (U+2212 MINUS SIGN, write -)",
+        "sph(0,0,0)         | (values are separated by white space, not by brackets)",
+        "sph,0,0,0,1,1      | (values are separated by white space, not by commas)",
     })
     void aCharacterThatOnlyLooksRightIsNamed(String code, String expected) {
-        assertEquals("unknown code " + expected + CODES, UnknownCode.message(code));
+        assertEquals("unknown code " + expected + ", " + CODES + ", did you mean sph?", UnknownCode.message(code));
+    }
+
+    @Test
+    void aWordOfAnotherScriptIsNamedToo() {
+        assertEquals("unknown code (U+05DB HEBREW LETTER KAF), " + CODES, UnknownCode.message("\u05db\u05d3\u05d5\u05e8"));
     }
 }
