@@ -3,6 +3,7 @@ package raytracing.watch;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Image;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -23,7 +24,7 @@ import raytracing.render.Region;
  */
 final class PictureView extends JComponent {
     private static final long serialVersionUID = 1;
-    private static final Color SURROUNDINGS = new Color(0x242628);
+    static final Color SURROUNDINGS = new Color(0x242628);
 
     private final transient ShownPicture picture;
     private final transient Runnable lookedElsewhere;
@@ -130,14 +131,19 @@ final class PictureView extends JComponent {
             brush.setColor(SURROUNDINGS);
             brush.fillRect(0, 0, getWidth(), getHeight());
             brush.scale(1 / density(), 1 / density());
-            brush.translate(viewport.left(), viewport.top());
-            brush.scale(viewport.scale(), viewport.scale());
             brush.setRenderingHint(RenderingHints.KEY_INTERPOLATION, viewport.scale() < 1
                 ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
-            picture.image().ifPresent(image -> brush.drawImage(image, 0, 0, null));
+            Region part = viewport.visible();
+            picture.image().ifPresent(image -> draw(image, part, viewport.placeOf(part), brush));
         } finally {
             brush.dispose();
         }
+    }
+
+    /** Nothing but what is in view: places and sizes above 65,535 are too large for Java's own drawing. */
+    private static void draw(Image image, Region part, Rectangle place, Graphics2D brush) {
+        brush.drawImage(image, place.x, place.y, place.x + place.width, place.y + place.height,
+            part.left(), part.top(), part.right(), part.bottom(), null);
     }
 
     /** What the mouse does. */

@@ -14,7 +14,7 @@ import raytracing.render.Region;
  * @param left where the picture begins, at most half the view's width
  * @param top where the picture begins, at most half the view's height
  */
-record Viewport(Size picture, Size view, double scale, int left, int top) {
+record Viewport(Size picture, Size view, double scale, long left, long top) {
     private static final double LARGEST_SCALE = 64;
 
     /**
@@ -27,7 +27,7 @@ record Viewport(Size picture, Size view, double scale, int left, int top) {
         /** The largest of this shape, and at most of this size, in a frame. */
         Size within(Size frame) {
             double scale = Math.min(1, ratio(frame));
-            return new Size(scaled(width, scale), scaled(height, scale));
+            return new Size((int) scaled(width, scale), (int) scaled(height, scale));
         }
 
         private double ratio(Size frame) {
@@ -51,8 +51,9 @@ record Viewport(Size picture, Size view, double scale, int left, int top) {
         return Math.scalb(1.0, Math.getExponent(scale));
     }
 
-    private static int scaled(int length, double scale) {
-        return Math.max(1, (int) Math.round(length * scale));
+    /** At the largest scale, a long picture has more pixels of the screen in a row than an int can count. */
+    private static long scaled(int length, double scale) {
+        return Math.max(1, Math.round(length * scale));
     }
 
     /** Whether all of the picture is fitted in. */
@@ -92,13 +93,13 @@ record Viewport(Size picture, Size view, double scale, int left, int top) {
 
     /** The picture moved by pixels of the screen, as far as it goes. */
     Viewport moved(int right, int down) {
-        return placed(view, scale, (long) left + right, (long) top + down);
+        return placed(view, scale, left + right, top + down);
     }
 
     /** In a window of another size: all is still fitted in if it was, or what was in the middle still is. */
     Viewport resized(Size newView) {
-        return isFit() ? fit(picture, newView) : placed(newView, scale, left + (long) (newView.width / 2 - view.width / 2),
-            top + (long) (newView.height / 2 - view.height / 2));
+        return isFit() ? fit(picture, newView) : placed(newView, scale, left + (newView.width / 2 - view.width / 2),
+            top + (newView.height / 2 - view.height / 2));
     }
 
     /** The middle of the view stays over the picture, so that it cannot be lost. */
@@ -107,8 +108,8 @@ record Viewport(Size picture, Size view, double scale, int left, int top) {
             inMiddle(newTop, newView.height / 2, scaled(picture.height, newScale)));
     }
 
-    private static int inMiddle(long start, int middle, int length) {
-        return (int) Math.max(middle - length + 1L, Math.min(middle, start));
+    private static long inMiddle(long start, int middle, long length) {
+        return Math.max(middle - length + 1, Math.min(middle, start));
     }
 
     /** The column of the picture at a place in the view; not in the picture if the place is not. */
@@ -127,22 +128,57 @@ record Viewport(Size picture, Size view, double scale, int left, int top) {
     }
 
     /**
+     * The part of the picture that is in view, and a little around it. At scales below 1 it begins where a pixel of the
+     * screen does, so that it looks the same as in the whole.
+     *
+     * @return pixels of the picture, (0, 0) at its corner; at least one, for the middle of the view is over the picture
+     */
+    Region visible() {
+        if (scale < 1 && isFit()) {
+            return Region.whole(picture.width, picture.height);
+        }
+        int block = (int) Math.max(1, 1 / scale);
+        return new Region(first(left, block), first(top, block),
+            Math.min(picture.width, end(view.width - left, block)), Math.min(picture.height, end(view.height - top, block)));
+    }
+
+    /** The block before the one at the view's edge. */
+    private int first(long start, int block) {
+        return (int) Math.max(0, (long) Math.floor(-start / scale) / block * block - block);
+    }
+
+    /** After the block that follows the one at the view's edge. */
+    private int end(long length, int block) {
+        return (int) Math.min(Integer.MAX_VALUE, ((long) Math.floor(length / scale) / block + 2) * block);
+    }
+
+    /**
+     * Where a part of the picture is drawn, which may reach out of the view.
+     *
+     * @param part of the picture that is in view, as {@link #visible} has it
+     * @return its place in the view
+     */
+    Rectangle placeOf(Region part) {
+        int x = (int) (left + Math.round(part.left() * scale));
+        int y = (int) (top + Math.round(part.top() * scale));
+        return new Rectangle(x, y, (int) scaled(part.width(), scale), (int) scaled(part.height(), scale));
+    }
+
+    /**
      * Where pixels of the picture are seen.
      *
      * @param part of the picture, (0, 0) at its corner
      * @return all places in the view that may look different if these pixels are; empty if they are not in view
      */
     Rectangle onView(Region part) {
-        int beside = scale < 1 ? 1 : 0;          // small pictures are blurred with their neighbours
-        int x = edge(left, part.left() - beside, 0);
-        int y = edge(top, part.top() - beside, 0);
-        Rectangle all = new Rectangle(x, y, edge(left, part.right() + beside, 1) - x, edge(top, part.bottom() + beside, 1) - y);
-        return all.intersection(new Rectangle(0, 0, view.width, view.height));
+        int beside = scale < 1 ? 1 : 0;          // small pictures are blurred with their neighbours, on the screen too
+        int x = within(view.width, left + Math.floor((part.left() - beside) * scale) - beside);
+        int y = within(view.height, top + Math.floor((part.top() - beside) * scale) - beside);
+        return new Rectangle(x, y, within(view.width, left + Math.ceil((part.right() + beside) * scale) + beside) - x,
+            within(view.height, top + Math.ceil((part.bottom() + beside) * scale) + beside) - y);
     }
 
-    /** The first or, where one is added, the last place that a row or column touches. */
-    private int edge(int start, int line, int added) {
-        double place = line * scale;
-        return start + (int) (added == 0 ? Math.floor(place) : Math.ceil(place));
+    private static int within(int length, double place) {
+        return (int) Math.max(0, Math.min(length, place));
     }
 }

@@ -29,13 +29,13 @@ class ViewportTest {
 
     /** Somewhere in the view, on the picture. */
     private int placeX(Viewport shown) {
-        int first = Math.max(0, shown.left());
+        int first = (int) Math.max(0, shown.left());
         int last = (int) Math.min(shown.view().width() - 1L, Math.floor(shown.left() + shown.picture().width() * shown.scale()) - 1);
         return first + random.nextInt(Math.max(1, last - first + 1));
     }
 
     private int placeY(Viewport shown) {
-        int first = Math.max(0, shown.top());
+        int first = (int) Math.max(0, shown.top());
         int last = (int) Math.min(shown.view().height() - 1L, Math.floor(shown.top() + shown.picture().height() * shown.scale()) - 1);
         return first + random.nextInt(Math.max(1, last - first + 1));
     }
