@@ -35,6 +35,9 @@ class PreviewTest {
         lgt 3 7 -3   1 1 1   1 1 6
         """;
 
+    /** What a Java has if it has windows. */
+    private static final Path WINDOWS = Path.of("lib/libawt_xawt.so");
+
     @TempDir
     private Path folder;
 
@@ -44,11 +47,15 @@ class PreviewTest {
     }
 
     private VirtualScreen screen() throws Exception {
-        boolean hasWindows = Files.exists(Program.JAVA_HOME.resolve("lib/libawt_xawt.so"));
+        boolean hasWindows = hasWindows();
         boolean hasScreens = Shell.has("Xvfb");
         Skipped.unless(hasScreens && hasWindows,
             "no window is tested without " + (hasWindows ? "Xvfb" : "a Java that has windows"));
         return VirtualScreen.start(Files.createDirectory(folder.resolve("screen")));
+    }
+
+    private static boolean hasWindows() {
+        return Files.exists(Program.JAVA_HOME.resolve(WINDOWS));
     }
 
     private WatchedProgram start(VirtualScreen screen, String arguments) throws Exception {
@@ -237,15 +244,71 @@ class PreviewTest {
         }
     }
 
-    @ParameterizedTest(name = "DISPLAY={0}, headless={1}")
-    @CsvSource({"'', false", ":987, false", "nowhere, false", ":987, true"})
-    void withoutADisplayASentenceComesAndThePictureToo(String display, boolean isHeadless) throws Exception {
-        Program program = Program.run(Program.JAVA_HOME,
-            isHeadless ? List.of("-Djava.awt.headless=true") : List.of(), Map.of("DISPLAY", display), folder,
+    /** Some 128,000 pixels of the screen in a row, if it were drawn as a whole. */
+    @Test
+    void aLargePictureIsSeenAtTheLargestScale() throws Exception {
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 2000 2000 --shadow-rays 1 --preview")) {
+            Patience.await("end of the drawing", () -> program.tell("title").contains(" pixels in "));
+            program.tell("point 640 512");
+            for (int scale = 1; scale <= 64; scale *= 2) {
+                program.tell("wheel -1");
+            }
+            Patience.await("a pixel under the pointer", () -> program.tell("status").contains(":  "));
+            String status = program.tell("status");
+            assertTrue(status.endsWith(" 6400 %"), status);
+            int column = Integer.parseInt(status.split(",")[0]);
+            int row = Integer.parseInt(status.split("[ :]+")[1]);
+            int rgb = picture("out.png").getRGB(column, row);
+            Patience.await("that pixel as a square", () -> (screen.screenshot().getRGB(640, 512) ^ rgb) << 8 == 0);
+            program.order("escape");
+            assertEquals(0, program.await());
+        }
+    }
+
+    private String withoutAWindow(Path javaHome, List<String> javaOptions, String display) throws Exception {
+        Program program = Program.run(javaHome, javaOptions, Map.of("DISPLAY", display), folder,
             "scene.txt", "out.png", "40", "30", "--preview", "--quiet");
-        assertEquals("--preview: no display to open a window on; drawing goes on without it" + System.lineSeparator(),
-            program.errors());
         assertEquals(0, program.status());
         assertEquals(40, picture("out.png").getWidth());
+        return program.errors();
+    }
+
+    @ParameterizedTest(name = "{0}, DISPLAY={1}")
+    @CsvSource(delimiter = '|', value = {
+        "-Djava.awt.headless=true  | :987    | java.awt.headless=true forbids Java to open windows",
+        "-Djava.awt.headless=true  | ''      | java.awt.headless=true forbids Java to open windows",
+        "-Djava.awt.headless=false | :987    | no display to open a window on, DISPLAY is :987 and cannot be reached",
+        "-Ddefault                 | ''      | no display to open a window on, DISPLAY is not set",
+        "-Ddefault                 | :987    | no display to open a window on, DISPLAY is :987 and cannot be reached",
+        "-Ddefault                 | nowhere | no display to open a window on, DISPLAY is nowhere and cannot be reached",
+    })
+    void withoutADisplayASentenceComesAndThePictureToo(String option, String display, String sentence) throws Exception {
+        Skipped.unless(hasWindows(), "this Java has no windows");
+        assertEquals("--preview: " + sentence + "; drawing goes on without it" + System.lineSeparator(),
+            withoutAWindow(Program.JAVA_HOME, List.of(option), display));
+    }
+
+    @Test
+    void aJavaWithoutWindowsSaysWhichHasThem() throws Exception {
+        try (JavaWithout java = JavaWithout.file(WINDOWS, folder.resolve("java"))) {
+            assertEquals("--preview: this Java has no windows; on Debian and Ubuntu install openjdk-"
+                + Runtime.version().feature() + "-jre, elsewhere a full JDK; drawing goes on without it"
+                + System.lineSeparator(), withoutAWindow(java.home(), List.of(), ":987"));
+            assertEquals("--preview: no display to open a window on, DISPLAY is not set; drawing goes on without it"
+                + System.lineSeparator(), withoutAWindow(java.home(), List.of(), ""));
+        }
+    }
+
+    /** As where Java is unpacked from an archive, on a system without the X libraries. */
+    @Test
+    void aMissingLibraryIsNamed() throws Exception {
+        try (JavaWithout java = JavaWithout.file(WINDOWS, folder.resolve("java"))) {
+            Files.writeString(java.home().resolve(WINDOWS), "");
+            Program program = Program.run(java.home(), List.of(), Map.of("DISPLAY", ":987"), folder,
+                "scene.txt", "out.png", "40", "30", "--preview");
+            assertTrue(program.errors().lines().anyMatch(line -> line.matches("--preview: a library that this Java needs for "
+                + "windows is missing \\(.*libawt_xawt\\.so.*\\); drawing goes on without it")), program.errors());
+        }
     }
 }

@@ -1,9 +1,6 @@
 package raytracing.watch;
 
-import java.awt.AWTError;
 import java.awt.EventQueue;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import raytracing.color.Color;
@@ -81,17 +78,7 @@ final class Preview implements DrawingListener {
         if (BYTES_IN_A_PIXEL * region.pixelCount() > Runtime.getRuntime().maxMemory() / SHARE_OF_MEMORY) {
             return Optional.of("not enough memory to show so many pixels");
         }
-        return hasDisplay() ? Optional.empty() : Optional.of("no display to open a window on");
-    }
-
-    /** Java without windows, no name of a display, a name that leads nowhere, or the libraries for it are missing. */
-    private static boolean hasDisplay() {
-        try {
-            return !GraphicsEnvironment.isHeadless()
-                && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (AWTError | HeadlessException | LinkageError none) {
-            return false;
-        }
+        return Display.obstacle();
     }
 
     private static void complain(String obstacle) {
