@@ -1,7 +1,6 @@
 package raytracing;
 
 import java.io.IOException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -9,7 +8,6 @@ import raytracing.command.Command;
 import raytracing.command.CommandLine;
 import raytracing.film.Film;
 import raytracing.film.ImageFile;
-import raytracing.parse.Printable;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.RenderSettings;
@@ -27,8 +25,6 @@ public final class RayTracer {
 
     /** As after SIGINT, also where the window's Escape key stopped the drawing. */
     private static final int STOPPED = 130;
-
-    private static final long GIGABYTE = 1L << 30;
 
     private RayTracer() {
     }
@@ -60,15 +56,15 @@ public final class RayTracer {
         } catch (RayTracerException wrong) {
             return failed(USER_IS_WRONG, wrong.messages());
         } catch (IOException failure) {
-            return failed(MACHINE_FAILED, List.of(Printable.of(reason(failure))));
+            return failed(MACHINE_FAILED, List.of(Messages.sentence(failure)));
         } catch (OutOfMemoryError tooLarge) {
-            return failed(MACHINE_FAILED, List.of(shortage(tooLarge)));
+            return failed(MACHINE_FAILED, List.of(Messages.shortage(tooLarge)));
         } catch (RuntimeException | Error unforeseen) {
             return failed(MACHINE_FAILED, List.of(unforeseen(unforeseen)));
         }
     }
 
-    /** Needs no class of the program: it may be one that is missing. */
+    /** What explains a part that cannot be loaded needs no class of the program: it may be that part. */
     private static String unforeseen(Throwable thrown) {
         Throwable cause = thrown;
         while (cause.getCause() != null) {
@@ -78,25 +74,11 @@ public final class RayTracer {
             return "the system allows too few open files; after ulimit -n 64 there are enough";
         }
         if (!(thrown instanceof LinkageError)) {
-            return "this is a defect of the program, please report it: " + thrown;
+            return Messages.defect(thrown);
         }
         return ModuleLayer.boot().findModule("java.desktop").isEmpty()
             ? "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
             : "a part of Java or of the program cannot be loaded (" + cause + "); if none was replaced now, install both again";
-    }
-
-    /** Virtual machines also call it memory if the system gives them no more threads. */
-    private static String shortage(OutOfMemoryError error) {
-        return String.valueOf(error.getMessage()).contains("thread")
-            ? "the system allows no more threads; --threads 1 needs the fewest"
-            : "not enough memory for this scene and picture size; java -Xmx" + moreGigabytes() + "g -jar RayTracer.jar ... allows "
-                + moreGigabytes() + " GB";
-    }
-
-    /** Twice what there was, and no less than 4. */
-    private static long moreGigabytes() {
-        long there = (Runtime.getRuntime().maxMemory() - 1) / GIGABYTE + 1;
-        return Math.max(4, 2 * there);
     }
 
     /**
@@ -138,12 +120,6 @@ public final class RayTracer {
             System.err.println(message);
         }
         return status;
-    }
-
-    /** A file, where one is known, and what is wrong with it. */
-    private static String reason(IOException failure) {
-        return failure instanceof FileSystemException file && file.getFile() != null
-            ? file.getFile() + ": " + Messages.reason(failure) : Messages.reason(failure);
     }
 
     private static String version() {

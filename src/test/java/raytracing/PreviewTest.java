@@ -251,12 +251,11 @@ class PreviewTest {
              WatchedProgram program = start(screen, "scene.txt out.png 2000 2000 --shadow-rays 1 --preview")) {
             Patience.await("end of the drawing", () -> program.tell("title").contains(" pixels in "));
             program.tell("point 640 512");
-            for (int scale = 1; scale <= 64; scale *= 2) {
+            for (int i = 0; i < 9; i++) {
                 program.tell("wheel -1");
             }
-            Patience.await("a pixel under the pointer", () -> program.tell("status").contains(":  "));
+            Patience.await("largest scale", () -> program.tell("status").endsWith(" 6400 %"));
             String status = program.tell("status");
-            assertTrue(status.endsWith(" 6400 %"), status);
             int column = Integer.parseInt(status.split(",")[0]);
             int row = Integer.parseInt(status.split("[ :]+")[1]);
             int rgb = picture("out.png").getRGB(column, row);

@@ -19,6 +19,8 @@ import java.util.List;
 import java.util.Scanner;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
+import javax.swing.text.JTextComponent;
 
 /**
  * Runs the program in a virtual machine with somebody who uses its window: does what standard input says, line by line, and
@@ -73,6 +75,8 @@ final class PreviewUser {
             case "size" -> System.out.println(size(frame.getContentPane().getComponent(0)));
             case "status" -> System.out.println(status(frame));
             case "focus" -> System.out.println(frame.isFocused());
+            case "keys" -> System.out.println(text((Container) frame.getContentPane().getComponent(1)).getText());
+            case "message" -> System.out.println(message(frame));
             case "point" -> robot.mouseMove(order.nextInt(), order.nextInt());
             case "wheel" -> robot.mouseWheel(order.nextInt());
             case "grip" -> robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
@@ -98,10 +102,31 @@ final class PreviewUser {
 
     private static String status(JFrame frame) {
         StringBuilder words = new StringBuilder();
-        for (Component label : ((Container) frame.getContentPane().getComponent(1)).getComponents()) {
-            words.append(((JLabel) label).getText()).append(' ');
+        for (Component part : ((Container) frame.getContentPane().getComponent(1)).getComponents()) {
+            if (part instanceof JLabel label) {
+                words.append(label.getText()).append(' ');
+            }
         }
         return words.toString().strip();
+    }
+
+    /** The sentences over the picture, lines divided by {@code |}; nothing if there are none. */
+    private static String message(JFrame frame) {
+        JTextComponent message = text((Container) frame.getContentPane().getComponent(0));
+        return message.isShowing() ? message.getText().replace('\n', '|') : "";
+    }
+
+    /** The only text in a part of the window that is no label. */
+    private static JTextComponent text(Container part) {
+        for (Component component : part.getComponents()) {
+            if (component instanceof JTextComponent text) {
+                return text;
+            }
+            if (component instanceof JScrollPane pane) {
+                return text(pane.getViewport());
+            }
+        }
+        throw new IllegalStateException("no text");
     }
 
     private static void type(Robot robot, int key) {

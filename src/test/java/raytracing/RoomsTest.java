@@ -3,6 +3,8 @@ package raytracing;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.core.importer.Location;
 import com.tngtech.archunit.junit.AnalyzeClasses;
@@ -11,6 +13,7 @@ import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.CompositeArchRule;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 
 /** Packages are rooms, and imports go one way: each room knows only those before it in this list. */
 @AnalyzeClasses(packages = "raytracing", importOptions = RoomsTest.TheProgramAlone.class)
@@ -65,9 +68,11 @@ class RoomsTest {
         .that().resideOutsideOfPackages("raytracing.film", "raytracing.watch")
         .should().dependOnClassesThat().resideInAnyPackage("java.awt..", "javax.swing..");
 
+    /** A unit of time is no work. */
     @ArchTest
     static final ArchRule onlyRenderSharesWork = noClasses().that().resideOutsideOfPackage("raytracing.render")
-        .should().dependOnClassesThat().resideInAnyPackage("java.util.concurrent..");
+        .should().dependOnClassesThat(JavaClass.Predicates.resideInAPackage("java.util.concurrent..")
+            .and(DescribedPredicate.not(JavaClass.Predicates.equivalentTo(TimeUnit.class))));
 
     /**
      * The film's thread only loads the encoder's classes while something else is done; those of the watch tell of the
@@ -81,7 +86,7 @@ class RoomsTest {
     /** Math.sin, pow and the like may differ between machines; sqrt, fma, abs and the exact ones may not. */
     @ArchTest
     static final ArchRule pixelsDependOnNoFunctionThatDiffersBetweenMachines = noClasses().should()
-        .callMethodWhere(com.tngtech.archunit.base.DescribedPredicate.describe("Math's inexact functions",
+        .callMethodWhere(DescribedPredicate.describe("Math's inexact functions",
             call -> call.getTargetOwner().isEquivalentTo(Math.class) && List.of("sin", "cos", "tan", "asin", "acos",
                 "atan", "atan2", "exp", "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot", "sinh", "cosh",
                 "tanh", "random").contains(call.getName())));

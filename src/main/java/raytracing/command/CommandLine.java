@@ -139,6 +139,7 @@ public final class CommandLine {
         switch (option) {
             case OPAQUE_SHADOWS -> settings = settings.withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT);
             case PREVIEW -> extras.add(Extra.PREVIEW);
+            case WATCH -> extras.add(Extra.WATCH);
             case KEEP_PARTIAL -> extras.add(Extra.KEEP_PARTIAL);
             case STATS -> extras.add(Extra.STATISTICS);
             case QUIET -> extras.add(Extra.QUIET);
@@ -224,6 +225,10 @@ public final class CommandLine {
             throw wrongOperands(output + ": unknown picture format", ", expected a name ending in .png, .jpg, .bmp or .gif");
         }
         settings = sized(format.get());
+        if (extras.contains(Extra.WATCH) && extras.contains(Extra.KEEP_PARTIAL)) {
+            throw new RayTracerException("--keep-partial: cannot stand beside --watch, where the picture file is always the last "
+                + "finished picture");
+        }
         return new Command.Draw(path(operands.get(0)), path(output), format.get(),
             settings.withShadowMethod(shadowMethod()), extras);
     }

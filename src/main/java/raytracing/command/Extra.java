@@ -8,6 +8,9 @@ public enum Extra {
     /** A window that shows the picture while it is drawn. */
     PREVIEW,
 
+    /** The same, and another picture whenever the scene file is saved, until the window is closed. */
+    WATCH,
+
     /** What the picture took, to be read by people. */
     STATISTICS,
 

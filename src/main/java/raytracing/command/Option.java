@@ -15,6 +15,7 @@ enum Option {
     SEED("--seed", Value.REQUIRED),
     THREADS("--threads", Value.REQUIRED),
     PREVIEW("--preview", Value.NONE),
+    WATCH("--watch", Value.NONE),
     KEEP_PARTIAL("--keep-partial", Value.NONE),
     STATS("--stats", Value.AFTER_EQUALS),
     QUIET("--quiet", Value.NONE),

@@ -11,6 +11,12 @@ public final class Interruption {
     private static final long PATIENCE_MILLISECONDS = 150;
 
     private final Cancellation cancellation;
+    private final Thread hook = new Thread("interruption") {
+        @Override
+        public void run() {
+            cancel();
+        }
+    };
     private boolean isOver;
     private boolean isEnding;
 
@@ -28,12 +34,7 @@ public final class Interruption {
     public static Interruption install(Cancellation cancellation) {
         Interruption interruption = new Interruption(cancellation);
         try {
-            Runtime.getRuntime().addShutdownHook(new Thread("interruption") {
-                @Override
-                public void run() {
-                    interruption.cancel();
-                }
-            });
+            Runtime.getRuntime().addShutdownHook(interruption.hook);
         } catch (IllegalStateException endingAlready) {
             interruption.cancel();           // a signal came before; what is left to do is to stay
         }
@@ -65,12 +66,17 @@ public final class Interruption {
 
     /**
      * Nothing remains to be done, and nothing went wrong: a failure has a sentence and a status of its own, which are more than
-     * the signal's. While a signal ends the program, this does not return: a virtual machine that has run its hooks would
-     * take the status of whoever asked for an exit last.
+     * the signal's. From now on, signals do what they do without this. While one ends the program, this does not return: a
+     * virtual machine that has run its hooks would take the status of whatever asked for an exit last.
      */
     public synchronized void end() {
         isOver = true;
         notifyAll();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException endingAlready) {
+            isEnding = true;
+        }
         try {
             while (isEnding) {
                 wait();

@@ -5,6 +5,7 @@ import java.nio.file.FileSystemException;
 import java.util.Locale;
 import raytracing.color.Color;
 import raytracing.film.ImageFormat;
+import raytracing.parse.Printable;
 import raytracing.render.Drawing;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
@@ -16,6 +17,7 @@ import raytracing.shade.AmbientLight;
  */
 public final class Messages implements Thread.UncaughtExceptionHandler {
     private static final long MILLION = 1_000_000;
+    private static final long GIGABYTE = 1L << 30;
 
     /** From here on, seconds are easier to read. */
     private static final long MOST_MILLISECONDS = 9_999;
@@ -129,6 +131,47 @@ public final class Messages implements Thread.UncaughtExceptionHandler {
             isLossSaid = true;
             System.err.println(output + ": drawing goes on without its thread " + thread.getName() + " (" + thrown + ")");
         }
+    }
+
+    /**
+     * What is said if a file could not be read or written.
+     *
+     * @param failure why
+     * @return the file, where one is known, and what is wrong with it
+     */
+    public static String sentence(IOException failure) {
+        return Printable.of(failure instanceof FileSystemException file && file.getFile() != null
+            ? file.getFile() + ": " + reason(failure) : reason(failure));
+    }
+
+    /**
+     * What is said if the memory did not suffice. Virtual machines also call it memory if the system gives them no more
+     * threads.
+     *
+     * @param error that was thrown
+     * @return a sentence that says what to do
+     */
+    public static String shortage(OutOfMemoryError error) {
+        return String.valueOf(error.getMessage()).contains("thread")
+            ? "the system allows no more threads; --threads 1 needs the fewest"
+            : "not enough memory for this scene and picture size; java -Xmx" + moreGigabytes() + "g -jar RayTracer.jar ... allows "
+                + moreGigabytes() + " GB";
+    }
+
+    /** Twice what there was, and no less than 4. */
+    private static long moreGigabytes() {
+        long there = (Runtime.getRuntime().maxMemory() - 1) / GIGABYTE + 1;
+        return Math.max(4, 2 * there);
+    }
+
+    /**
+     * What is said if this program is wrong.
+     *
+     * @param defect that was thrown
+     * @return a sentence
+     */
+    public static String defect(Throwable defect) {
+        return "this is a defect of the program, please report it: " + defect;
     }
 
     /**

@@ -26,7 +26,7 @@ final class PictureView extends JComponent {
     private static final long serialVersionUID = 1;
     static final Color SURROUNDINGS = new Color(0x242628);
 
-    private final transient ShownPicture picture;
+    private transient ShownPicture picture;
     private final transient Runnable lookedElsewhere;
     private transient Viewport viewport;
     private transient Optional<Point> pointer = Optional.empty();
@@ -53,6 +53,12 @@ final class PictureView extends JComponent {
                 lookedElsewhere.run();
             }
         });
+    }
+
+    /** Shows another picture of the same size in its place. */
+    void show(ShownPicture other) {
+        picture = other;
+        repaint();
     }
 
     Viewport.Size pictureSize() {

@@ -10,6 +10,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
@@ -19,43 +20,49 @@ import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 
-/** The window of a preview: a view of the picture, a line under it, the title above. All is called in Swing's thread. */
+/**
+ * The window of a preview: a view of the picture, with sentences over it if there are some, two lines under it, the title above.
+ * All is called in Swing's thread.
+ */
 final class PreviewWindow {
     /** How often it is asked what changed: 16 times a second. */
     private static final int REFRESH_MILLISECONDS = 60;
 
     /** Room for a title that can be read; the least size of a view, in Swing's units. */
-    private static final Dimension LEAST_VIEW = new Dimension(320, 200);
+    static final Dimension LEAST_VIEW = new Dimension(320, 200);
+
+    private static final String KEYS =
+        ", wheel or + - zooms, dragging moves, 0 or a double click shows all, 1 is one to one";
+
+    /** For so long a picture that takes the place of another one is drawn unseen: most are finished by then. */
+    private static final long UNSEEN_NANOSECONDS = 250_000_000;
 
     private final String name;
-    private final ShownPicture picture;
-    private final Wishes wishes;
+    private final String idle;
+    private final Runnable stop;
     private final JFrame frame;
     private final PictureView view;
+    private final MessagePanel messages = new MessagePanel();
     private final StatusLine status = new StatusLine();
     private final Timer timer = new Timer(REFRESH_MILLISECONDS, event -> refresh());
+    private ShownPicture picture;
     private Supplier<String> title;
-    private State state = State.DRAWING;
+    private Escape escape;
 
-    /** What Esc would do. */
-    private enum State {
+    /** A picture that will be shown instead, and since when it is drawn. */
+    private Optional<ShownPicture> next = Optional.empty();
+    private long nextSince;
+
+    /** What the key does. */
+    enum Escape {
         /** Stops the drawing. */
-        DRAWING,
+        STOPS,
 
-        /** Nothing more. */
-        STOPPING,
+        /** Nothing: the drawing is being stopped. */
+        WAITS,
 
         /** Closes the window. */
-        OVER
-    }
-
-    /** What the user wishes while the picture is drawn. */
-    interface Wishes {
-        /** That it be drawn no further. */
-        void stop();
-
-        /** That it be shown no further. */
-        void close();
+        CLOSES
     }
 
     /**
@@ -63,21 +70,28 @@ final class PreviewWindow {
      *
      * @param name of the picture, its title for now
      * @param picture to be shown
-     * @param wishes is told the user's
+     * @param escape what the key does until the picture is finished
+     * @param idle what the line under the picture says if the pointer is elsewhere
+     * @param stop is run if Esc stops the drawing
+     * @param close is run when the window is closed
      */
-    PreviewWindow(String name, ShownPicture picture, Wishes wishes) {
+    PreviewWindow(String name, ShownPicture picture, Escape escape, String idle, Runnable stop, Runnable close) {
         this.name = name;
         this.picture = picture;
-        this.wishes = wishes;
+        this.escape = escape;
+        this.idle = idle;
+        this.stop = stop;
         title = () -> name;
         view = new PictureView(picture, this::describe);
+        view.setLayout(new BorderLayout());
+        view.add(messages, BorderLayout.NORTH);
         frame = new JFrame(name);
         frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {
                 timer.stop();
-                wishes.close();
+                close.run();
             }
         });
         frame.add(view, BorderLayout.CENTER);
@@ -103,6 +117,7 @@ final class PreviewWindow {
         view.setPreferredSize(new Dimension(Math.max(LEAST_VIEW.width, (int) Math.ceil(size.width() / density)),
             Math.max(LEAST_VIEW.height, (int) Math.ceil(size.height() / density))));
         frame.pack();
+        frame.pack();                       // only now is it known how many lines the keys take in this width
     }
 
     private void bindKeys() {
@@ -126,25 +141,45 @@ final class PreviewWindow {
     }
 
     private void escape() {
-        if (state == State.OVER) {
+        if (escape == Escape.CLOSES) {
             frame.dispose();
-        } else if (state == State.DRAWING) {
-            state = State.STOPPING;
+        } else if (escape == Escape.STOPS) {
+            escape = Escape.WAITS;
             title = () -> name + " - stopping";
-            wishes.stop();
+            stop.run();
         }
     }
 
     /** From now on, the title says what it is told, whenever it is asked. */
     void follow(Supplier<String> words) {
-        if (state == State.DRAWING) {
+        if (escape != Escape.WAITS) {
             title = words;
         }
     }
 
-    /** The picture is what it will be. */
-    void end(String summary) {
-        state = State.OVER;
+    /** What is over the picture from now on, if anything. */
+    void say(List<String> sentences) {
+        messages.say(sentences);
+    }
+
+    /** Another picture takes this one's place, as soon as there is something new to see of it. */
+    void showSoon(ShownPicture other) {
+        next = Optional.of(other);
+        nextSince = System.nanoTime();
+    }
+
+    private void show(ShownPicture other) {
+        next = Optional.empty();
+        if (other != picture) {
+            picture = other;
+            view.show(other);
+        }
+    }
+
+    /** This picture is what it will be. */
+    void end(ShownPicture ended, String summary) {
+        show(ended);
+        escape = Escape.CLOSES;
         title = () -> summary;
         refresh();
         describe();
@@ -152,6 +187,9 @@ final class PreviewWindow {
 
     /** Shows what is new. */
     private void refresh() {
+        if (System.nanoTime() - nextSince > UNSEEN_NANOSECONDS) {
+            next.ifPresent(this::show);
+        }
         picture.takeChanges().ifPresent(changed -> {
             view.repaint(changed);
             describe();
@@ -162,11 +200,10 @@ final class PreviewWindow {
         }
     }
 
-    /** What the line under the picture says. */
+    /** What the lines under the picture say. */
     private void describe() {
         Optional<Point> pixel = view.pixelUnderPointer();
-        status.say(pixel.isPresent() ? picture.describe(pixel.get().x, pixel.get().y)
-            : "Esc " + (state == State.OVER ? "closes" : "stops") + ", wheel zooms, dragging moves, 0 fits, 1 is one to one");
-        status.say(view.scale());
+        status.say(pixel.isPresent() ? picture.describe(pixel.get().x, pixel.get().y) : idle, view.scale(),
+            "Esc " + (escape == Escape.CLOSES ? "closes" : "stops") + KEYS);
     }
 }

@@ -117,13 +117,28 @@ public final class ProgressLine {
         };
     }
 
+    /**
+     * Writes a sentence where the line is, which goes on below it.
+     *
+     * @param sentence of one line
+     */
+    public synchronized void say(String sentence) {
+        takeAway();
+        stream.println(sentence);
+    }
+
     /** Takes the line away; what is written then begins where it was. */
     public synchronized void end() {
-        if (!ended && lengthShown > 0) {
-            stream.print('\r' + " ".repeat(lengthShown) + '\r');
-            stream.flush();
-        }
+        takeAway();
         ended = true;
         notifyAll();
+    }
+
+    private void takeAway() {
+        if (lengthShown > 0) {
+            stream.print('\r' + " ".repeat(lengthShown) + '\r');
+            stream.flush();
+            lengthShown = 0;
+        }
     }
 }

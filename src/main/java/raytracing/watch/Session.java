@@ -1,6 +1,8 @@
 package raytracing.watch;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import raytracing.command.Command;
 import raytracing.command.Extra;
@@ -22,32 +24,34 @@ public final class Session {
     private final Command.Draw command;
     private final Messages messages;
     private final ImageFile file;
-    private final Cancellation cancellation = new Cancellation();
+    private final Cancellation cancellation;
     private final long start = System.nanoTime();
     private final Preparation preparation = new Preparation();
-    private final Optional<ProgressLine> line;
+    private Optional<ProgressLine> line = Optional.empty();
     private long parsingNanoseconds;
 
-    private Session(Command.Draw command) {
+    /** One that begins now, and ends when that is asked for. */
+    Session(Command.Draw command, Cancellation cancellation) {
         this.command = command;
+        this.cancellation = cancellation;
         messages = new Messages(command.output().toString(), command.format(), command.settings());
         file = new ImageFile(command.output(), command.format());
-        line = !command.wants(Extra.QUIET) && ProgressLine.isWanted()
-            ? Optional.of(ProgressLine.begin(Printable.of(command.output().toString()), preparation, start))
-            : Optional.empty();
         Thread.setDefaultUncaughtExceptionHandler(messages);
     }
 
     /**
      * Draws what the user asked for.
      *
-     * @param command the wish
+     * @param command what that is
      * @return whether there is a whole picture; if not, it was cancelled
      * @throws RayTracerException if the scene or the file's name is wrong
      * @throws IOException if a file cannot be read or written; then whatever stood there before still does
      */
     public static Outcome draw(Command.Draw command) throws RayTracerException, IOException {
-        Session session = new Session(command);
+        if (command.wants(Extra.WATCH)) {
+            return Watch.run(command);
+        }
+        Session session = new Session(command, new Cancellation());
         try {
             return session.draw();
         } finally {
@@ -65,25 +69,25 @@ public final class Session {
     }
 
     private Outcome draw() throws RayTracerException, IOException {
-        refuseOutputThatCannotBe();
-        Thread encoder = file.prepare();
-        ParsedScene parsed = SceneParser.parseFile(command.scene(), preparation);
-        parsingNanoseconds = System.nanoTime() - start;
-        for (String warning : parsed.warnings()) {
-            say(warning);
-        }
+        Thread encoder = begin();
+        ParsedScene parsed = read();
         Optional<Preview> preview = command.wants(Extra.PREVIEW) ? Preview.open(command.output().toString(),
             command.settings().region(), cancellation, encoder) : Optional.empty();
-        Interruption interruption = Interruption.install(cancellation);
-        Outcome outcome = draw(parsed.scene(), preview);
-        interruption.end();
+        Outcome outcome = draw(parsed, preview);
         if (outcome == Outcome.FINISHED && preview.isPresent()) {
             preview.get().awaitClosed();
         }
         return outcome;
     }
 
-    private void refuseOutputThatCannotBe() throws RayTracerException, IOException {
+    /** Refuses what cannot become a picture file, and begins to load what writes it. */
+    Thread begin() throws RayTracerException, IOException {
+        refuseOutputThatCannotBe();
+        return file.prepare();
+    }
+
+    /** Refuses what cannot become a picture file. */
+    void refuseOutputThatCannotBe() throws RayTracerException, IOException {
         Optional<String> obstacle;
         try {
             obstacle = file.obstacle(command.scene());
@@ -95,12 +99,35 @@ public final class Session {
         }
     }
 
-    private Outcome draw(Scene scene, Optional<Preview> preview) throws IOException {
+    /** Reads the scene, under a line of progress on a terminal, and says what is unlikely to be meant in it. */
+    ParsedScene read() throws RayTracerException, IOException {
+        if (!command.wants(Extra.QUIET) && ProgressLine.isWanted()) {
+            line = Optional.of(ProgressLine.begin(Printable.of(command.output().toString()), preparation, start));
+        }
+        ParsedScene parsed = SceneParser.parseFile(command.scene(), preparation);
+        parsingNanoseconds = System.nanoTime() - start;
+        for (String warning : parsed.warnings()) {
+            say(warning);
+        }
+        return parsed;
+    }
+
+    /** Draws and writes the picture, also while a signal ends the program, and says so. */
+    Outcome draw(ParsedScene parsed, Optional<Preview> preview) throws IOException {
+        Interruption interruption = Interruption.install(cancellation);
+        Outcome outcome = drawUninterrupted(parsed, preview);
+        interruption.end();
+        return outcome;
+    }
+
+    private Outcome drawUninterrupted(ParsedScene parsed, Optional<Preview> preview) throws IOException {
+        Scene scene = parsed.scene();
         Renderer renderer = new Renderer(scene, command.settings(), preparation);
         Drawing drawing = renderer.drawing(cancellation, command.wants(Extra.KEEP_PARTIAL)
             ? Cancellation.Leftovers.KEEP : Cancellation.Leftovers.DISCARD,
-            preview.isPresent() ? preview.get() : DrawingListener.NONE);
+            preview.isPresent() ? preview.get().listener() : DrawingListener.NONE);
         if (preview.isPresent()) {
+            preview.get().say(parsed.warnings());
             preview.get().follow(drawing);
         }
         long writing = System.nanoTime();
@@ -110,10 +137,13 @@ public final class Session {
         String summary = outcome == Outcome.FINISHED
             ? messages.finished(drawing, renderer.ambientLight(), end - start) : messages.stopped(drawing);
         say(summary);
+        List<String> warnings = new ArrayList<>(parsed.warnings());
         if (outcome == Outcome.FINISHED && messages.isOfNothing(drawing) && !scene.surfaces().isEmpty()) {
-            say(Messages.nothingMet(command.scene().toString()));
+            warnings.add(Messages.nothingMet(command.scene().toString()));
+            say(warnings.get(warnings.size() - 1));
         }
-        if (preview.isPresent()) {
+        if (outcome == Outcome.FINISHED && preview.isPresent()) {
+            preview.get().say(warnings);
             preview.get().end(summary);
         }
         if (isWritten && (command.wants(Extra.STATISTICS) || command.wants(Extra.STATISTICS_AS_JSON))) {
@@ -146,15 +176,17 @@ public final class Session {
         }
     }
 
-    /** Before anything else is said. */
-    private void endLine() {
+    /** Takes the line of progress away, if there is one. */
+    void endLine() {
         if (line.isPresent()) {
             line.get().end();
         }
     }
 
     private void say(String sentence) {
-        if (!command.wants(Extra.QUIET)) {
+        if (line.isPresent()) {
+            line.get().say(Printable.of(sentence));
+        } else if (!command.wants(Extra.QUIET)) {
             System.err.println(Printable.of(sentence));
         }
     }

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.film.Film;
+import raytracing.render.DrawingListener;
 import raytracing.render.Region;
 
 /**
@@ -17,7 +18,7 @@ import raytracing.render.Region;
  * asks {@link #takeChanges} first; both hold the same lock, so all that was told is seen. A pixel that is just being
  * written may be seen as it was or as it will be, for an int is never seen in part; it is told of soon, and shown again.
  */
-final class ShownPicture {
+final class ShownPicture implements DrawingListener {
     /** States of a pixel, in the byte that is not shown. */
     private static final int STATE = 0xff000000;
     private static final int FINISHED = 0x01000000;
@@ -33,6 +34,10 @@ final class ShownPicture {
 
     private static final int[] RELEASED = {};
 
+    /** The coarsest look is there at once, the next one shows what it is going to be. */
+    private static final int[] LOOKS = {16, 4};
+    private static final int[] NO_LOOKS = {};
+
     private final Region region;
     private final int width;
     private volatile int[] pixels;
@@ -43,10 +48,19 @@ final class ShownPicture {
     private int right;
     private int bottom;
 
-    /** Of a part of a picture, of at most as many pixels as an array has elements. */
-    ShownPicture(Region region) {
+    private ShownPicture(Region region, int[] pixels) {
         this.region = region;
+        this.pixels = pixels;
         width = region.width();
+    }
+
+    /** Of a part of a picture, of at most as many pixels as an array has elements: nothing is drawn yet. */
+    ShownPicture(Region region) {
+        this(region, blank(region));
+    }
+
+    private static int[] blank(Region region) {
+        int width = region.width();
         int[] blank = new int[Math.multiplyExact(width, region.height())];
         int square = Math.max(LEAST_SQUARE, Integer.highestOneBit(Math.max(width, region.height()) / MOST_SQUARES) * 2);
         for (int y = 0; y < region.height(); y++) {
@@ -54,7 +68,12 @@ final class ShownPicture {
                 blank[y * width + x] = NOT_YET[(x / square + y / square) & 1];
             }
         }
-        pixels = blank;
+        return blank;
+    }
+
+    /** Another one that looks the same, to be drawn over. */
+    ShownPicture copy() {
+        return new ShownPicture(region, pixels.clone());
     }
 
     /** What it shows of the whole picture. */
@@ -62,8 +81,13 @@ final class ShownPicture {
         return region;
     }
 
-    /** A first look at a square, in the whole picture's coordinates. */
-    void show(Region square, Color light) {
+    @Override
+    public int[] coarseLooks() {
+        return isReleased() ? NO_LOOKS : LOOKS;
+    }
+
+    @Override
+    public void showSquare(Region square, Color light) {
         int[] target = pixels;
         if (target.length > 0) {
             int encoded = Film.encoded(light);
@@ -75,8 +99,8 @@ final class ShownPicture {
         }
     }
 
-    /** What a film shows of a tile, both in the whole picture's coordinates. */
-    void show(Region tile, Film film, Region filmed) {
+    @Override
+    public void showTile(Region tile, Film film, Region filmed) {
         int[] target = pixels;
         if (target.length > 0) {
             for (int y = tile.top(); y < tile.bottom(); y++) {

@@ -8,8 +8,9 @@ import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 
-/** A line under the picture: the pixel under the pointer, or what can be done, and the scale. */
+/** Under the picture: the pixel under the pointer and the scale in one line, and what the keys do in as many as that takes. */
 final class StatusLine extends JPanel {
     private static final long serialVersionUID = 1;
     private static final Color PAPER = new Color(0x1c1d1f);
@@ -18,13 +19,22 @@ final class StatusLine extends JPanel {
 
     private final transient JLabel words = label();
     private final transient JLabel scale = label();
+    private final transient JTextArea keys = new JTextArea();
 
     StatusLine() {
         super(new BorderLayout(MARGIN, 0));
         setBackground(PAPER);
         setBorder(BorderFactory.createEmptyBorder(2, MARGIN, 2, MARGIN));
+        keys.setOpaque(false);
+        keys.setForeground(INK);
+        keys.setFont(words.getFont());
+        keys.setLineWrap(true);
+        keys.setWrapStyleWord(true);
+        keys.setEditable(false);
+        keys.setFocusable(false);
         add(words, BorderLayout.CENTER);
         add(scale, BorderLayout.EAST);
+        add(keys, BorderLayout.SOUTH);
     }
 
     private static JLabel label() {
@@ -34,17 +44,18 @@ final class StatusLine extends JPanel {
         return label;
     }
 
-    /** As wide as the picture is: the sentence is cut off where it is longer. */
+    /** As wide as the picture is, and as high as the keys need in that width; until it is known, in the least one. */
     @Override
     public Dimension getPreferredSize() {
+        keys.setSize(Math.max(PreviewWindow.LEAST_VIEW.width, getWidth()) - 2 * MARGIN, Short.MAX_VALUE);
         return new Dimension(0, super.getPreferredSize().height);
     }
 
-    void say(String sentence) {
-        words.setText(sentence);
-    }
-
-    void say(double newScale) {
+    void say(String sentence, double newScale, String whatKeysDo) {
+        words.setText(sentence.isEmpty() ? " " : sentence);
         scale.setText(String.format(Locale.ROOT, "%.0f %%", 100 * newScale));
+        if (!whatKeysDo.equals(keys.getText())) {
+            keys.setText(whatKeysDo);
+        }
     }
 }

@@ -130,6 +130,7 @@ class CommandLineTest {
         "s.txt o.png --region 0,0,9999999999,1 | --region: must be a part of the picture of 500 x 500 pixels, got 0,0,9999999999,1",
         "s.txt o.jpg 99999 9 --region 0,0,65501,1 | --region: width and height must be at most 65500 in a file of this format, got 0,0,65501,1",
         "s.txt o.png --stats=xml   | --stats: must be json or nothing, got xml",
+        "s.txt o.png --keep-partial --watch | --keep-partial: cannot stand beside --watch, where the picture file is always the last finished picture",
         "s.txt o.png --quiet=1     | --quiet: takes no value, got 1",
         "-h                        | -h: unknown option, did you mean --help? See --help",
     })
@@ -222,7 +223,8 @@ class CommandLineTest {
     @Test
     void nothingIsWantedBesideThePictureUnlessTheUserSaysSo() throws RayTracerException {
         assertEquals(Set.of(), draw("s.txt o.png").extras());
-        assertEquals(EnumSet.allOf(Extra.class),
+        assertEquals(EnumSet.complementOf(EnumSet.of(Extra.WATCH)),
             draw("s.txt o.png --quiet --preview --stats --stats=json --keep-partial").extras());
+        assertEquals(Set.of(Extra.WATCH), draw("s.txt --watch o.png").extras());
     }
 }

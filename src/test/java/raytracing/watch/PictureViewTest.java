@@ -36,7 +36,7 @@ class PictureViewTest {
         ShownPicture picture = new ShownPicture(Region.whole(width, height));
         for (int y = Math.max(0, height - 9); y < height; y++) {
             for (int x = width - 9; x < width; x++) {
-                picture.show(new Region(x, y, x + 1, y + 1), new Color((width - x) / 20.0, (height - y) / 20.0, 0.5));
+                picture.showSquare(new Region(x, y, x + 1, y + 1), new Color((width - x) / 20.0, (height - y) / 20.0, 0.5));
             }
         }
         return picture;

@@ -45,7 +45,7 @@ class ShownPictureTest {
 
     @Test
     void aSquareHasOneColourAndNothingElseHas() {
-        picture.show(new Region(116, 66, 132, 80), ORANGE_LIGHT);
+        picture.showSquare(new Region(116, 66, 132, 80), ORANGE_LIGHT);
         BufferedImage image = picture.image().orElseThrow();
         for (int y = 0; y < 30; y++) {
             for (int x = 0; x < 40; x++) {
@@ -60,7 +60,7 @@ class ShownPictureTest {
     void aTileIsWhatTheFilmWillBecome() {
         Film film = film(50, 40);
         Region filmed = new Region(98, 49, 148, 89);
-        picture.show(new Region(100, 60, 140, 70), film, filmed);
+        picture.showTile(new Region(100, 60, 140, 70), film, filmed);
         BufferedImage image = picture.image().orElseThrow();
         BufferedImage expected = film.toImage();
         for (int y = 10; y < 20; y++) {
@@ -75,25 +75,25 @@ class ShownPictureTest {
     @Test
     void changesAreTheRectangleAroundThemAndTakenOnce() {
         assertEquals(Optional.empty(), picture.takeChanges());
-        picture.show(new Region(120, 52, 124, 56), ORANGE_LIGHT);
+        picture.showSquare(new Region(120, 52, 124, 56), ORANGE_LIGHT);
         assertEquals(Optional.of(new Region(20, 2, 24, 6)), picture.takeChanges());
         assertEquals(Optional.empty(), picture.takeChanges());
-        picture.show(new Region(104, 70, 108, 74), ORANGE_LIGHT);
-        picture.show(new Region(136, 66, 140, 70), film(4, 4), new Region(136, 66, 140, 70));
+        picture.showSquare(new Region(104, 70, 108, 74), ORANGE_LIGHT);
+        picture.showTile(new Region(136, 66, 140, 70), film(4, 4), new Region(136, 66, 140, 70));
         assertEquals(Optional.of(new Region(4, 16, 40, 24)), picture.takeChanges());
     }
 
     @Test
     void anEmptyTileIsNoChange() {
-        picture.show(new Region(100, 80, 140, 80), film(40, 30), REGION);
+        picture.showTile(new Region(100, 80, 140, 80), film(40, 30), REGION);
         assertEquals(Optional.empty(), picture.takeChanges());
     }
 
     @Test
     void aReleasedPictureTakesAndKeepsNothing() {
         picture.release();
-        picture.show(new Region(116, 66, 132, 80), ORANGE_LIGHT);
-        picture.show(REGION, film(40, 30), REGION);
+        picture.showSquare(new Region(116, 66, 132, 80), ORANGE_LIGHT);
+        picture.showTile(REGION, film(40, 30), REGION);
         assertTrue(picture.isReleased());
         assertEquals(Optional.empty(), picture.takeChanges());
         assertEquals(Optional.empty(), picture.image());
