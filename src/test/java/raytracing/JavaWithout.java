@@ -1,6 +1,5 @@
 package raytracing;
 
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -17,7 +16,7 @@ import java.util.stream.Stream;
 record JavaWithout(Path home) implements AutoCloseable {
     /** Makes one in a folder that is not there yet, without a file of Java's own folder. */
     static JavaWithout file(Path missing, Path home) throws IOException {
-        assumeTrue(Files.exists(Path.of("/proc/self/exe")), "skipped: Java finds itself in another way here");
+        Skipped.unless(Files.exists(Path.of("/proc/self/exe")), "Java finds itself in another way here");
         for (String needed : List.of("bin/java", "lib", "conf")) {
             try (Stream<Path> files = Files.walk(Program.JAVA_HOME.resolve(needed))) {
                 for (Path file : (Iterable<Path>) files::iterator) {

@@ -2,7 +2,6 @@ package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,7 +23,7 @@ class PreparationOnATerminalTest {
 
     @BeforeEach
     void needsATerminal() throws Exception {
-        assumeTrue(Shell.has("script", "mkfifo"), "skipped: there is no script here, which makes a terminal, or no mkfifo");
+        Skipped.unless(Shell.has("script", "mkfifo"), "there is no script here, which makes a terminal, or no mkfifo");
     }
 
     private static String begin(String scene) {

@@ -35,9 +35,6 @@ class PreviewTest {
         lgt 3 7 -3   1 1 1   1 1 6
         """;
 
-    /** What a Java has if it has windows. */
-    private static final Path WINDOWS = Path.of("lib/libawt_xawt.so");
-
     @TempDir
     private Path folder;
 
@@ -47,15 +44,7 @@ class PreviewTest {
     }
 
     private VirtualScreen screen() throws Exception {
-        boolean hasWindows = hasWindows();
-        boolean hasScreens = Shell.has("Xvfb");
-        Skipped.unless(hasScreens && hasWindows,
-            "no window is tested without " + (hasWindows ? "Xvfb" : "a Java that has windows"));
         return VirtualScreen.start(Files.createDirectory(folder.resolve("screen")));
-    }
-
-    private static boolean hasWindows() {
-        return Files.exists(Program.JAVA_HOME.resolve(WINDOWS));
     }
 
     private WatchedProgram start(VirtualScreen screen, String arguments) throws Exception {
@@ -283,14 +272,14 @@ class PreviewTest {
         "-Ddefault                 | nowhere | no display to open a window on, DISPLAY is nowhere and cannot be reached",
     })
     void withoutADisplayASentenceComesAndThePictureToo(String option, String display, String sentence) throws Exception {
-        Skipped.unless(hasWindows(), "this Java has no windows");
+        Skipped.unless(VirtualScreen.isOpenTo(Program.JAVA_HOME), "this Java has no windows");
         assertEquals("--preview: " + sentence + "; drawing goes on without it" + System.lineSeparator(),
             withoutAWindow(Program.JAVA_HOME, List.of(option), display));
     }
 
     @Test
     void aJavaWithoutWindowsSaysWhichHasThem() throws Exception {
-        try (JavaWithout java = JavaWithout.file(WINDOWS, folder.resolve("java"))) {
+        try (JavaWithout java = JavaWithout.file(VirtualScreen.WINDOWS, folder.resolve("java"))) {
             assertEquals("--preview: this Java has no windows; on Debian and Ubuntu install openjdk-"
                 + Runtime.version().feature() + "-jre, elsewhere a full JDK; drawing goes on without it"
                 + System.lineSeparator(), withoutAWindow(java.home(), List.of(), ":987"));
@@ -302,8 +291,8 @@ class PreviewTest {
     /** As where Java is unpacked from an archive, on a system without the X libraries. */
     @Test
     void aMissingLibraryIsNamed() throws Exception {
-        try (JavaWithout java = JavaWithout.file(WINDOWS, folder.resolve("java"))) {
-            Files.writeString(java.home().resolve(WINDOWS), "");
+        try (JavaWithout java = JavaWithout.file(VirtualScreen.WINDOWS, folder.resolve("java"))) {
+            Files.writeString(java.home().resolve(VirtualScreen.WINDOWS), "");
             Program program = Program.run(java.home(), List.of(), Map.of("DISPLAY", ":987"), folder,
                 "scene.txt", "out.png", "40", "30", "--preview");
             assertTrue(program.errors().lines().anyMatch(line -> line.matches("--preview: a library that this Java needs for "

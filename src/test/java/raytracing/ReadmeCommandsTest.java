@@ -2,7 +2,6 @@ package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -64,7 +63,7 @@ class ReadmeCommandsTest {
 
     @Test
     void aJdkAloneBuildsTheSameProgram() throws Exception {
-        assumeTrue(Files.exists(Program.JAVA_HOME.resolve("bin/javac")), "skipped: this Java has no compiler");
+        Skipped.unless(Files.exists(Program.JAVA_HOME.resolve("bin/javac")), "this Java has no compiler");
         String lines = block("plain JDK");
         run(lines);
         assertEquals(classes(Program.JAR), classes(folder.resolve("build/libs/RayTracer.jar")));
@@ -83,8 +82,7 @@ class ReadmeCommandsTest {
 
     @Test
     void gnuParallelDrawsThePartsOfAPicture() throws Exception {
-        assumeTrue(Shell.has("convert", "compare"), "skipped: ImageMagick is not installed");
-        assumeTrue(Shell.has("parallel"), "skipped: GNU parallel is not installed");
+        Skipped.unless(Shell.has("convert", "compare", "parallel"), "ImageMagick or GNU parallel is not installed");
         linkJar();
         run(block("job array: parallel"), "\"$JAVA\" -jar \"$JAR\" scenes/boxes.txt expected.png 900 900 --quiet");
         Shell compared = Shell.run(folder, "compare -metric AE whole.png expected.png null:");

@@ -3,7 +3,6 @@ package raytracing;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedWriter;
 import java.io.RandomAccessFile;
@@ -65,7 +64,7 @@ class SceneMistakesTest {
 
     @Test
     void aDeviceThatNeverEndsIsTooLarge() throws Exception {
-        assumeTrue(Files.exists(Path.of("/dev/zero")), "this system has no endless device");
+        Skipped.unless(Files.exists(Path.of("/dev/zero")), "this system has no endless device");
         Program program = Program.run(Program.JAVA_HOME, List.of("-Xmx64m"), folder, "/dev/zero", "out.png");
         assertEquals("/dev/zero" + TOO_LARGE, program.errors());
         assertEquals(2, program.status());

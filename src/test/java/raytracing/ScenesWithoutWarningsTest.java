@@ -2,7 +2,6 @@ package raytracing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -25,8 +24,6 @@ import raytracing.watch.Messages;
 /** Scenes that are meant as they are get no warning, neither when they are read nor at the end. */
 class ScenesWithoutWarningsTest {
     private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(16, 16);
-    private static final Path COURSE = Path.of("..", "shared", "scenes");
-
     static Stream<Path> ours() throws IOException {
         return SceneFiles.all();
     }
@@ -39,8 +36,8 @@ class ScenesWithoutWarningsTest {
 
     @Test
     void theCoursesScenes() throws Exception {
-        assumeTrue(Files.isDirectory(COURSE), "the course's scenes are not beside the checkout");
-        try (Stream<Path> files = Files.list(COURSE)) {
+        Shared.require(Shared.SCENES);
+        try (Stream<Path> files = Files.list(Shared.SCENES)) {
             for (Path file : files.filter(file -> file.toString().endsWith(".txt")).sorted().toList()) {
                 assertNoWarnings(file);
             }

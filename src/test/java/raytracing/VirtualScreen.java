@@ -17,6 +17,9 @@ final class VirtualScreen implements AutoCloseable {
     private static final int COLOURS = 76;
     private static final int BYTES_IN_A_COLOUR = 12;
 
+    /** What a Java has if it has windows. */
+    static final Path WINDOWS = Path.of("lib/libawt_xawt.so");
+
     private final Process server;
     private final Path pixels;
     private final String name;
@@ -27,8 +30,15 @@ final class VirtualScreen implements AutoCloseable {
         this.name = name;
     }
 
-    /** On a display that is free, with its files in a folder. */
+    /** Whether a Java can open windows at all. */
+    static boolean isOpenTo(Path javaHome) {
+        return Files.exists(javaHome.resolve(WINDOWS));
+    }
+
+    /** On a display that is free, with its files in a folder; the test that asks is skipped where that is impossible. */
     static VirtualScreen start(Path folder) throws IOException, InterruptedException {
+        Skipped.unless(isOpenTo(Program.JAVA_HOME), "no window is tested without a Java that has windows");
+        Skipped.unless(Shell.has("Xvfb"), "no window is tested without Xvfb");
         Path number = folder.resolve("display");
         Process server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nocursor",
             "-nolisten", "tcp",

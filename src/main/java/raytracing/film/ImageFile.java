@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.List;
 import java.util.Optional;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -28,9 +29,6 @@ public final class ImageFile {
     private static final float JPEG_QUALITY = 0.95f;
     private static final String UNFINISHED = ".unfinished-picture-";
 
-    /** How many links in a row are followed: as many as Linux follows. */
-    private static final int MOST_LINKS = 40;
-
     private final Path name;
     private final Path path;
     private final ImageFormat format;
@@ -43,21 +41,9 @@ public final class ImageFile {
      */
     public ImageFile(Path name, ImageFormat format) {
         this.name = name;
-        path = followed(name);
+        List<Path> names = Links.from(name);
+        path = names.get(names.size() - 1);
         this.format = format;
-    }
-
-    /** Link by link, because nothing need exist at the end. */
-    private static Path followed(Path name) {
-        Path place = name;
-        try {
-            for (int i = 0; i < MOST_LINKS && Files.isSymbolicLink(place); i++) {
-                place = place.resolveSibling(Files.readSymbolicLink(place));
-            }
-        } catch (IOException unreadable) {
-            return name;                     // which is then an obstacle
-        }
-        return place;
     }
 
     /**

@@ -7,9 +7,9 @@ import java.nio.file.StandardWatchEventKinds;
 import java.nio.file.WatchEvent;
 import java.nio.file.WatchKey;
 import java.nio.file.WatchService;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import raytracing.film.Links;
 
 /**
  * Notices when a file is saved. Editors do that in many ways: they write into it, or they write another file and give it this
@@ -21,9 +21,6 @@ final class FileWatch {
      * looked at.
      */
     private static final long LOOK_MILLISECONDS = 500;
-
-    /** As many links in a row as Linux follows. */
-    private static final int MOST_LINKS = 40;
 
     private final Path file;
     private final Runnable saved;
@@ -54,7 +51,7 @@ final class FileWatch {
     private void watch() {
         try {
             for (;;) {
-                List<Path> names = namesOf(file);
+                List<Path> names = Links.from(file.toAbsolutePath());
                 watchFolders(names);
                 if (isTold(names) | isChanged()) {
                     saved.run();
@@ -63,21 +60,6 @@ final class FileWatch {
         } catch (InterruptedException request) {
             Thread.currentThread().interrupt();      // then nothing is watched any more
         }
-    }
-
-    /** The file itself, and if it is a link, all that it leads to. */
-    private static List<Path> namesOf(Path file) {
-        List<Path> names = new ArrayList<>(List.of(file.toAbsolutePath()));
-        try {
-            Path last = names.get(0);
-            while (Files.isSymbolicLink(last) && names.size() <= MOST_LINKS) {
-                last = last.resolveSibling(Files.readSymbolicLink(last));
-                names.add(last);
-            }
-        } catch (IOException goneMeanwhile) {
-            // it is looked at again soon
-        }
-        return names;
     }
 
     /** Again and again: folders may be removed and come back, and links may lead elsewhere. */
