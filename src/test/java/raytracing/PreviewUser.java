@@ -3,6 +3,7 @@ package raytracing;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Robot;
 import java.awt.Window;
@@ -110,10 +111,14 @@ final class PreviewUser {
         return words.toString().strip();
     }
 
-    /** The sentences over the picture, lines divided by {@code |}; nothing if there are none. */
+    /** The sentences over the picture, lines divided by {@code |}; nothing if none are seen, and a remark if only some are. */
     private static String message(JFrame frame) {
         JTextComponent message = text((Container) frame.getContentPane().getComponent(0));
-        return message.isShowing() ? message.getText().replace('\n', '|') : "";
+        Dimension seen = message.getVisibleRect().getSize();
+        if (!message.isShowing() || seen.height == 0) {
+            return "";
+        }
+        return (seen.equals(message.getSize()) ? "" : "in part: ") + message.getText().replace('\n', '|');
     }
 
     /** The only text in a part of the window that is no label. */

@@ -17,6 +17,7 @@ final class MessagePanel extends JScrollPane {
     private static final Color EDGE = new Color(0xd9822b);
     private static final int EDGE_WIDTH = 4;
     private static final int MARGIN = 7;
+    private static final float FONT_SIZE = 13;
 
     private final transient JTextArea text = new JTextArea();
 
@@ -26,6 +27,7 @@ final class MessagePanel extends JScrollPane {
         text.setBackground(PAPER);
         text.setForeground(INK);
         text.setBorder(BorderFactory.createEmptyBorder(MARGIN, MARGIN, MARGIN, MARGIN));
+        text.setFont(text.getFont().deriveFont(FONT_SIZE));
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
         text.setEditable(false);
@@ -46,12 +48,20 @@ final class MessagePanel extends JScrollPane {
         text.setText(String.join("\n", sentences));
         text.setCaretPosition(0);
         setVisible(!sentences.isEmpty());
-        revalidate();
+        getParent().revalidate();                // for a scroll pane itself does not ask for another place
     }
 
     @Override
     public Dimension getPreferredSize() {
-        text.setSize(Math.max(1, getWidth() - EDGE_WIDTH), Short.MAX_VALUE);
-        return new Dimension(0, Math.min(getParent().getHeight(), text.getPreferredSize().height));
+        return new Dimension(0, Math.min(getParent().getHeight(), heightIn(getWidth() - EDGE_WIDTH, text)));
+    }
+
+    /** How high a text is whose lines are broken at a width; the text itself stays as it is. */
+    static int heightIn(int width, JTextArea text) {
+        Dimension size = text.getSize();
+        text.setSize(Math.max(1, width), Short.MAX_VALUE);
+        int height = text.getPreferredSize().height;
+        text.setSize(size);
+        return height;
     }
 }

@@ -47,8 +47,9 @@ final class StatusLine extends JPanel {
     /** As wide as the picture is, and as high as the keys need in that width; until it is known, in the least one. */
     @Override
     public Dimension getPreferredSize() {
-        keys.setSize(Math.max(PreviewWindow.LEAST_VIEW.width, getWidth()) - 2 * MARGIN, Short.MAX_VALUE);
-        return new Dimension(0, super.getPreferredSize().height);
+        int width = Math.max(PreviewWindow.LEAST_VIEW.width, getWidth()) - 2 * MARGIN;
+        return new Dimension(0, getInsets().top + words.getPreferredSize().height + MessagePanel.heightIn(width, keys)
+            + getInsets().bottom);
     }
 
     void say(String sentence, double newScale, String whatKeysDo) {
