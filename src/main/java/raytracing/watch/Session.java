@@ -73,7 +73,9 @@ public final class Session {
         ParsedScene parsed = read();
         Optional<Preview> preview = command.wants(Extra.PREVIEW) ? Preview.open(command.output().toString(),
             command.settings().region(), cancellation, encoder) : Optional.empty();
+        Interruption interruption = Interruption.install(cancellation);
         Outcome outcome = draw(parsed, preview);
+        interruption.end();                      // not after a failure, which has a status of its own
         if (outcome == Outcome.FINISHED && preview.isPresent()) {
             preview.get().awaitClosed();
         }
@@ -112,15 +114,8 @@ public final class Session {
         return parsed;
     }
 
-    /** Draws and writes the picture, also while a signal ends the program, and says so. */
+    /** Draws and writes the picture, and says so. */
     Outcome draw(ParsedScene parsed, Optional<Preview> preview) throws IOException {
-        Interruption interruption = Interruption.install(cancellation);
-        Outcome outcome = drawUninterrupted(parsed, preview);
-        interruption.end();
-        return outcome;
-    }
-
-    private Outcome drawUninterrupted(ParsedScene parsed, Optional<Preview> preview) throws IOException {
         Scene scene = parsed.scene();
         Renderer renderer = new Renderer(scene, command.settings(), preparation);
         Drawing drawing = renderer.drawing(cancellation, command.wants(Extra.KEEP_PARTIAL)

@@ -44,7 +44,7 @@ final class Watch {
     private void drawUntilClosed() {
         try {
             for (Optional<Cancellation> due = saves.await(); due.isPresent(); due = saves.await()) {
-                List<String> failures = draw(due.get());
+                List<String> failures = failuresOf(due.get());
                 if (!failures.isEmpty() && !due.get().isRequested()) {
                     failures.forEach(System.err::println);
                     preview.fail(failures);
@@ -55,8 +55,8 @@ final class Watch {
         }
     }
 
-    /** Draws the scene as it is now; why that was not possible, if it was not. */
-    private List<String> draw(Cancellation cancellation) {
+    /** Draws the scene as it is now; says why that was not possible, if it was not. */
+    private List<String> failuresOf(Cancellation cancellation) {
         try {
             draw(new Session(command, cancellation), cancellation);
             return List.of();
@@ -72,6 +72,7 @@ final class Watch {
     }
 
     private void draw(Session session, Cancellation cancellation) throws RayTracerException, IOException {
+        Interruption interruption = Interruption.install(cancellation);
         try {
             session.refuseOutputThatCannotBe();
             ParsedScene parsed = read(session);
@@ -81,6 +82,7 @@ final class Watch {
             }
         } finally {
             session.endLine();
+            interruption.end();                  // a signal waits for no drawing that failed
         }
     }
 
