@@ -104,20 +104,27 @@ final class PreviewWindow {
         timer.start();
     }
 
-    /** As large as the picture, if the screen is. */
+    /**
+     * As large as the picture, if the screen is. The size is right already when the window is made, and mostly stays: where no
+     * window manager runs, X may tell of an earlier size so late that Java takes it for the last one.
+     */
     private void setSize() {
+        fitInto(new Insets(0, 0, 0, 0));
         frame.pack();                       // now it has the borders that the system gives it
+        fitInto(frame.getInsets());
+        frame.pack();
+    }
+
+    private void fitInto(Insets borders) {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        Insets borders = frame.getInsets();
         double density = view.density();
         Viewport.Size room = new Viewport.Size(
             (int) (density * (screen.width - borders.left - borders.right)),
             (int) (density * (screen.height - borders.top - borders.bottom - status.getPreferredSize().height)));
         Viewport.Size size = view.pictureSize().within(room);
-        view.setPreferredSize(new Dimension(Math.max(LEAST_VIEW.width, (int) Math.ceil(size.width() / density)),
-            Math.max(LEAST_VIEW.height, (int) Math.ceil(size.height() / density))));
-        frame.pack();
-        frame.pack();                       // only now is it known how many lines the keys take in this width
+        int width = Math.max(LEAST_VIEW.width, (int) Math.ceil(size.width() / density));
+        view.setPreferredSize(new Dimension(width, Math.max(LEAST_VIEW.height, (int) Math.ceil(size.height() / density))));
+        status.setSize(width, status.getHeight());      // which decides how many lines the keys take
     }
 
     private void bindKeys() {
