@@ -10,29 +10,47 @@ import java.util.Properties;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import raytracing.command.Command;
+import raytracing.command.CommandLine;
+import raytracing.film.ImageFile;
 
 /** The same bytes on every Java from 17 on: compares with those that are installed beside the one that runs the tests. */
 class OtherJavaTest {
+    private static final String SIZE = "125";
 
     @Test
     void everyInstalledJavaDrawsTheSameFiles(@TempDir Path folder) throws Exception {
         List<Path> others = otherJavas();
         Skipped.unless(!others.isEmpty(), "no other Java from 17 on is installed beside " + Program.JAVA_HOME.getFileName());
-        for (Path scene : CommittedScenesTest.scenes().toList()) {
-            Path expected = drawn(Program.JAVA_HOME, scene, folder);
-            for (Path other : others) {
-                assertEquals(-1, Files.mismatch(expected, drawn(other, scene, folder)),
-                    scene.getFileName() + " on " + other.getFileName());
+        Path expected = drawn(Program.JAVA_HOME, folder);
+        for (Path other : others) {
+            Path found = drawn(other, folder);
+            for (String picture : Folders.names(expected)) {
+                assertEquals(-1, Files.mismatch(expected.resolve(picture), found.resolve(picture)),
+                    picture + " on " + other.getFileName());
             }
         }
     }
 
-    private static Path drawn(Path java, Path scene, Path folder) throws Exception {
-        Path picture = folder.resolve(java.getFileName() + "-" + scene.getFileName() + ".png");
-        Program program = Program.run(java, List.of(), folder, scene.toAbsolutePath().toString(), picture.toString(),
-            "125", "125");
-        assertEquals(0, program.status(), program.errors());
-        return picture;
+    /** The folder of all pictures, which one virtual machine draws with the steps of the jar's front door. */
+    private static Path drawn(Path java, Path folder) throws Exception {
+        Path pictures = Files.createDirectory(folder.resolve(java.getFileName()));
+        Path tests = Path.of(OtherJavaTest.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+        Shell run = Shell.run(Path.of("").toAbsolutePath(), "'" + java.resolve("bin/java") + "' -cp \"$JAR\":'" + tests + "' "
+            + OtherJavaTest.class.getName() + " '" + pictures + "'");
+        assertEquals(0, run.status(), run.text());
+        assertEquals(SceneFiles.all().count(), Folders.names(pictures).size());
+        return pictures;
+    }
+
+    /** Draws every scene into a folder, the only argument. */
+    public static void main(String[] arguments) throws Exception {
+        for (Path scene : SceneFiles.all().toList()) {
+            Command.Draw command = (Command.Draw) CommandLine.parse(scene.toString(),
+                Path.of(arguments[0], scene.getFileName() + ".png").toString(), SIZE, SIZE);
+            RayTracer.saveImage(RayTracer.renderScene(RayTracer.parseScene(scene), command.settings()),
+                new ImageFile(command.output(), command.format()));
+        }
     }
 
     private static List<Path> otherJavas() throws IOException {

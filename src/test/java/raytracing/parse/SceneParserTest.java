@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -31,6 +32,7 @@ import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
 
+@Isolated("changes the locale")
 class SceneParserTest {
     private static final String CAM = "cam 0 0 -5  0 0 0  0 1 0  1 2\n";
     private static final String SET = "set 0.1 0.2 0.3  4 10\n";

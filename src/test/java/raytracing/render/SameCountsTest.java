@@ -20,6 +20,7 @@ import raytracing.shade.ShadowMethod;
 class SameCountsTest {
     private static final int SIZE = 48;
     private static final int TILE = 8;
+    private static final int LARGE_TILE = 16;
 
     /** So many balls of plaster, mirror and glass on a floor, under two wide lamps; from 48 on, a hierarchy finds them. */
     private static Scene crowd(int balls) {
@@ -84,11 +85,11 @@ class SameCountsTest {
     @Test
     void aTileTakesTheSameWhateverWasDrawnBefore() {
         Scene scene = crowd(300);
-        RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE).withWorkers(1, TILE);
+        RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE).withWorkers(1, LARGE_TILE);
         RayCounts sum = RayCounts.NONE;
-        for (int y = 0; y < SIZE; y += TILE) {
-            for (int x = 0; x < SIZE; x += TILE) {
-                sum = sum.plus(counts(scene, settings.withRegion(new Region(x, y, x + TILE, y + TILE))));
+        for (int y = 0; y < SIZE; y += LARGE_TILE) {
+            for (int x = 0; x < SIZE; x += LARGE_TILE) {
+                sum = sum.plus(counts(scene, settings.withRegion(new Region(x, y, x + LARGE_TILE, y + LARGE_TILE))));
             }
         }
         RayCounts whole = counts(scene, settings);

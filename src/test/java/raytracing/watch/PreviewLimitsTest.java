@@ -7,9 +7,11 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import raytracing.render.Cancellation;
 import raytracing.render.Region;
 
+@Isolated("changes where all standard errors go")
 class PreviewLimitsTest {
     private static final int SIDE = 1 << 13;
 
