@@ -78,7 +78,9 @@ public final class Drawing implements Bands {
         try {
             return drawBand(index);
         } finally {
-            cancellation.drawn();
+            if (leftovers == Cancellation.Leftovers.DISCARD) {
+                cancellation.drawn();        // a picture to be kept is awaited while its bands are written, too
+            }
         }
     }
 

@@ -8,11 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.Patience;
 import raytracing.SceneText;
 import raytracing.color.Color;
 import raytracing.film.Film;
@@ -68,6 +70,22 @@ class DrawingTest {
             RendererTest.assertSamePixels(whole.part(0, i * bandHeight, WIDTH, band.height()), band);
         }
         assertEquals(1, drawing.share());
+    }
+
+    /** A signal may come while a band is written into the file, which may take longer than a signal waits for nothing. */
+    @Test
+    void aPictureToBeKeptIsAwaitedBetweenItsBandsToo() throws Exception {
+        Cancellation cancellation = new Cancellation();
+        Drawing drawing = drawing(settings(1), 16, cancellation, Leftovers.KEEP, DrawingListener.NONE);
+        drawing.band(0);
+        FutureTask<Boolean> wait = new FutureTask<>(() -> cancellation.awaitAnswer(1));
+        Thread thread = new Thread(wait);
+        thread.setDaemon(true);
+        thread.start();
+        Patience.await("wait without a limit", () -> wait.isDone() || thread.getState() == Thread.State.WAITING);
+        cancellation.request();
+        drawing.band(1);
+        assertTrue(wait.get());
     }
 
     @ParameterizedTest(name = "{0} x {1} with tiles of {2}: {3}")
