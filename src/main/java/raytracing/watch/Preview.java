@@ -116,7 +116,7 @@ final class Preview {
         try {
             thread.join();
         } catch (InterruptedException request) {
-            Thread.currentThread().interrupt();      // whoever asks for the end gets it
+            Thread.currentThread().interrupt();      // the request to end is passed on
         }
     }
 
@@ -201,7 +201,7 @@ final class Preview {
                 wait();
             }
         } catch (InterruptedException request) {
-            Thread.currentThread().interrupt();      // whoever asks for the end gets it
+            Thread.currentThread().interrupt();      // the request to end is passed on
         }
     }
 }

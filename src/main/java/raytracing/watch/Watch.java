@@ -51,7 +51,7 @@ final class Watch {
                 }
             }
         } catch (InterruptedException request) {
-            Thread.currentThread().interrupt();      // whoever asks for the end gets it
+            Thread.currentThread().interrupt();      // the request to end is passed on
         }
     }
 
