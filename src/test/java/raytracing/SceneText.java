@@ -3,6 +3,7 @@ package raytracing;
 import java.nio.charset.StandardCharsets;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 
 /** Scenes for tests, written as users write them. */
@@ -13,7 +14,8 @@ public final class SceneText {
     /** The scene of these lines, which must be right. */
     public static Scene scene(String... lines) {
         try {
-            return SceneParser.parse("test scene", String.join("\n", lines).getBytes(StandardCharsets.UTF_8)).scene();
+            return SceneParser.parse("test scene", String.join("\n", lines).getBytes(StandardCharsets.UTF_8),
+                new Preparation()).scene();
         } catch (RayTracerException wrong) {
             throw new AssertionError(wrong.getMessage(), wrong);
         }

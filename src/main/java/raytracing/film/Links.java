@@ -30,7 +30,7 @@ public final class Links {
                 names.add(last);
             }
         } catch (IOException unreadable) {
-            return names;
+            // it leads no further
         }
         return names;
     }

@@ -103,18 +103,15 @@ public final class SceneParser {
     }
 
     /**
-     * Reads the text of a scene.
+     * Reads the text of a scene while another thread may ask how far it is.
      *
      * @param fileName what messages call it
      * @param bytes the text, as in a file
+     * @param preparation is told
      * @return the scene it describes, and warnings
      * @throws RayTracerException whatever is wrong in it, up to 20 messages
      */
-    public static ParsedScene parse(String fileName, byte[] bytes) throws RayTracerException {
-        return parse(fileName, bytes, new Preparation());
-    }
-
-    private static ParsedScene parse(String fileName, byte[] bytes, Preparation preparation) throws RayTracerException {
+    public static ParsedScene parse(String fileName, byte[] bytes, Preparation preparation) throws RayTracerException {
         preparation.expect(bytes.length);
         return new SceneParser(fileName, bytes, preparation).parsed();
     }

@@ -132,20 +132,29 @@ public final class Session {
         String summary = outcome == Outcome.FINISHED
             ? messages.finished(drawing, renderer.ambientLight(), end - start) : messages.stopped(drawing);
         say(summary);
-        List<String> warnings = new ArrayList<>(parsed.warnings());
-        if (outcome == Outcome.FINISHED && messages.isOfNothing(drawing) && !scene.surfaces().isEmpty()) {
-            warnings.add(Messages.nothingMet(command.scene().toString()));
-            say(warnings.get(warnings.size() - 1));
-        }
-        if (outcome == Outcome.FINISHED && preview.isPresent()) {
-            preview.get().say(warnings);
-            preview.get().end(summary);
+        if (outcome == Outcome.FINISHED) {
+            List<String> warnings = warnings(parsed, drawing);
+            if (preview.isPresent()) {
+                preview.get().say(warnings);
+                preview.get().end(summary);
+            }
         }
         if (isWritten && (command.wants(Extra.STATISTICS) || command.wants(Extra.STATISTICS_AS_JSON))) {
             report(Statistics.of(command.scene().toString(), scene, command.settings(), renderer, drawing,
                 new Statistics.Times(parsingNanoseconds, end - writing, end - start)));
         }
         return outcome;
+    }
+
+    /** All that is unlikely to be meant. What only a finished picture tells is said here. */
+    private List<String> warnings(ParsedScene parsed, Drawing drawing) {
+        List<String> warnings = new ArrayList<>(parsed.warnings());
+        if (messages.isOfNothing(drawing) && !parsed.scene().surfaces().isEmpty()) {
+            String nothing = Messages.nothingMet(command.scene().toString());
+            say(nothing);
+            warnings.add(nothing);
+        }
+        return warnings;
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import raytracing.parse.SceneParser;
+import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 
 class FamilyTest {
@@ -20,7 +21,7 @@ class FamilyTest {
             mtl 1 1 1  0 0 0  0 0 0  1 0
             sph 0 0 0  1  1
             %s
-            """.formatted(root, light).getBytes(StandardCharsets.UTF_8)).scene();
+            """.formatted(root, light).getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
     }
 
     @Test

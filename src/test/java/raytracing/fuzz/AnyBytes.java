@@ -6,6 +6,7 @@ import java.util.Optional;
 import raytracing.parse.ParsedScene;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 
 /**
@@ -47,7 +48,7 @@ public final class AnyBytes {
 
     private static Answer answer(byte[] bytes) {
         try {
-            ParsedScene parsed = SceneParser.parse(FILE, bytes);
+            ParsedScene parsed = SceneParser.parse(FILE, bytes, new Preparation());
             return new Answer(Optional.of(parsed.scene()), parsed.warnings());
         } catch (RayTracerException wrong) {
             return new Answer(Optional.empty(), wrong.messages());

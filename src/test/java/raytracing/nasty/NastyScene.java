@@ -5,6 +5,7 @@ import java.util.SplittableRandom;
 import raytracing.compiled.ShadowMode;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.progress.Preparation;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
 import raytracing.scene.Scene;
@@ -40,7 +41,7 @@ record NastyScene(long seed, String text, boolean isHall, int surfaces) {
 
     Scene scene() {
         try {
-            return SceneParser.parse("nasty scene", text.getBytes(StandardCharsets.UTF_8)).scene();
+            return SceneParser.parse("nasty scene", text.getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
         } catch (RayTracerException wrong) {
             throw new IllegalStateException("not a scene:\n" + text + wrong.getMessage(), wrong);
         }

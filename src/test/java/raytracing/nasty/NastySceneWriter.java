@@ -6,6 +6,7 @@ import java.util.List;
 import raytracing.math.Vector;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.progress.Preparation;
 
 /** Writes the text of a {@link NastyScene}. */
 final class NastySceneWriter {
@@ -119,7 +120,7 @@ final class NastySceneWriter {
 
     private static boolean isScene(String text) {
         try {
-            SceneParser.parse("", text.getBytes(StandardCharsets.UTF_8));
+            SceneParser.parse("", text.getBytes(StandardCharsets.UTF_8), new Preparation());
             return true;
         } catch (RayTracerException refused) {
             return false;

@@ -24,6 +24,7 @@ import raytracing.geometry.Box;
 import raytracing.geometry.Plane;
 import raytracing.geometry.Sphere;
 import raytracing.math.Vector;
+import raytracing.progress.Preparation;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
 import raytracing.scene.Light;
@@ -42,7 +43,7 @@ class SceneParserTest {
     private static final String HEAD = CAM + SET + MTL;
 
     private static Scene parse(String text) throws RayTracerException {
-        return SceneParser.parse("test.txt", text.getBytes(StandardCharsets.UTF_8)).scene();
+        return SceneParser.parse("test.txt", text.getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
     }
 
     private static List<String> messages(String text) {
@@ -137,7 +138,7 @@ class SceneParserTest {
     @ValueSource(strings = {"UTF-8", "UTF-16LE", "UTF-16BE"})
     void aByteOrderMarkIsNoPartOfTheFirstCode(String encoding) throws RayTracerException {
         byte[] marked = ("\ufeff" + HEAD).getBytes(Charset.forName(encoding));
-        assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked).scene());
+        assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked, new Preparation()).scene());
     }
 
     @ParameterizedTest
@@ -145,7 +146,7 @@ class SceneParserTest {
     void aByteOrderMarkAloneIsAnEmptyFile(String encoding) {
         byte[] mark = "\ufeff".getBytes(Charset.forName(encoding));
         assertEquals(messages(""),
-            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", mark)).messages());
+            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", mark, new Preparation())).messages());
     }
 
     /** Course files have remarks in several encodings of Hebrew. Every pair of bytes that is no line end must do. */
@@ -163,7 +164,7 @@ class SceneParserTest {
             }
         }
         text.writeBytes(HEAD.getBytes(StandardCharsets.US_ASCII));
-        assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray()).scene());
+        assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray(), new Preparation()).scene());
     }
 
     /** Bytes of which a wide space could be made, but is not: part of the word, and shown as the library replaces them. */
@@ -182,7 +183,7 @@ class SceneParserTest {
         String word = text.toString(StandardCharsets.UTF_8).substring(HEAD.length()).strip();
         assertEquals(List.of("test.txt:4: " + word + ": unknown code (bytes that are not UTF-8), "
             + "expected cam, set, mtl, sph, pln, box or lgt"),
-            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", text.toByteArray())).messages());
+            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", text.toByteArray(), new Preparation())).messages());
     }
 
     @Test
