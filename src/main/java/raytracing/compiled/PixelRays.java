@@ -38,7 +38,7 @@ public final class PixelRays {
         rightAxis = basis.u();
         upAxis = basis.v();
         forwardAxis = basis.w();
-        // Only the shape of the screen matters. Near 1, no length of it leaves the range of doubles.
+        // Only the shape of the screen matters: its larger length comes near 1, and the other may round to 0 beside it.
         int exponent = -Math.getExponent(Math.max(camera.screenDistance(), camera.screenWidth()));
         screenDistance = Math.scalb(camera.screenDistance(), exponent);
         screenWidth = Math.scalb(camera.screenWidth(), exponent);
@@ -56,6 +56,10 @@ public final class PixelRays {
     public boolean start(double x, double y, RayWalk walk) {
         double right = (x / width - 0.5) * screenWidth;
         double up = (0.5 - y / height) * screenHeight;
+        if (right == 0 && up == 0) {         // the distance may be 0 beside the width
+            startTowards(1, 0, 0, walk);
+            return true;
+        }
         if (camera.lens() instanceof Fisheye fisheye && fisheye.k() != 1) {
             return startThroughFisheye(fisheye, right, up, walk);
         }
@@ -66,10 +70,6 @@ public final class PixelRays {
     /** Sine and cosine of the angle, never its tangent: nothing grows without bound near a right angle. */
     private boolean startThroughFisheye(Fisheye fisheye, double right, double up, RayWalk walk) {
         double radius = Vector.length(right, up, 0);
-        if (radius == 0) {
-            startTowards(1, 0, 0, walk);
-            return true;
-        }
         double angle = fisheye.incidentAngle(radius / screenDistance);
         if (!(angle < Math.PI / 2)) {        // this way round, NaN is black
             return false;

@@ -3,7 +3,10 @@ package raytracing.compiled;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -162,6 +165,100 @@ class PixelRaysTest {
         PixelRays rays = new PixelRays(camera, 1, 9);
         for (int y = 0; y <= 9; y++) {
             assertEquals(1, direction(rays, 0.25, y).length(), FOUR_ULP);
+        }
+    }
+
+    /**
+     * Sizes of screens all over the range of doubles: half of them with distance and width of ordinary ratios. The camera's
+     * axes are (-0.8, 0.6, 0), (0, 0, 1) and (0.6, 0.8, 0). The cosine of an angle at which a lens turns black is compared
+     * no closer than 10^-6 to 0: an orthographic lens takes the root of what is left of 1 there.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.5, 0, -0.5, -1})
+    void directionsAreRightToRoundingWhateverTheSizesOfTheScreen(double k) {
+        SplittableRandom random = new SplittableRandom(31);
+        int seen = 0;
+        int black = 0;
+        List<String> wrong = new ArrayList<>();
+        for (int i = 0; i < 2000; i++) {
+            double distance = power(random, -323.3, 308.2);
+            double width = random.nextBoolean() ? power(random, -323.3, 308.2)
+                : Math.max(Double.MIN_VALUE, Math.min(Double.MAX_VALUE, distance * power(random, -2, 2)));
+            int columns = random.nextInt(1, 20);
+            int rows = random.nextInt(1, 20);
+            double x = random.nextInt(columns) + random.nextInt(1, 9) / 8.0;
+            double y = random.nextInt(rows) + (random.nextBoolean() ? 0.5 : random.nextDouble());
+            Optional<ExactPixelRay> exact = ExactPixelRay.of(distance, width, columns, rows, x, y, k);
+            Camera camera = new Camera(Vector.ZERO, new Vector(3, 4, 0), new Vector(0, 0, 7), distance, width,
+                new Fisheye(k));
+            Optional<Ray> found = through(new PixelRays(camera, columns, rows), x, y);
+            if (exact.isPresent() && exact.get().forward().doubleValue() < 1e-6 && k != 1) {
+                continue;
+            }
+            if (!isRight(exact, found)) {
+                wrong.add(camera + " " + columns + " x " + rows + " at " + x + ", " + y + ": " + found + ", not " + exact);
+            }
+            seen += exact.isPresent() ? 1 : 0;
+            black += exact.isPresent() ? 0 : 1;
+        }
+        assertEquals(List.of(), wrong);
+        assertTrue(seen > 500 && (black > 500 || k == 1), "too few to mean anything: " + seen + ", " + black);
+    }
+
+    private static double power(SplittableRandom random, double lowest, double highest) {
+        return Math.max(Double.MIN_VALUE, StrictMath.pow(10, random.nextDouble(lowest, highest)));
+    }
+
+    private static boolean isRight(Optional<ExactPixelRay> exact, Optional<Ray> found) {
+        if (exact.isEmpty() || found.isEmpty()) {
+            return exact.isEmpty() && found.isEmpty();
+        }
+        double right = exact.get().right().doubleValue();
+        double forward = exact.get().forward().doubleValue();
+        Vector expected = new Vector(0.6 * forward - 0.8 * right, 0.8 * forward + 0.6 * right,
+            exact.get().up().doubleValue());
+        return expected.minus(found.get().direction()).largestPart() <= exact.get().most();
+    }
+
+    @ParameterizedTest(name = "distance {0}, width {1}")
+    @CsvSource({"1e-300, 1e300", "4.9e-324, 1.7e308", "2.2e-308, 1e300", "1e-160, 1e160", "1, 1", "1e-310, 1e-310",
+        "4.9e-324, 4.9e-324", "1.7e308, 1.7e308", "1e300, 1e-300", "1.7e308, 4.9e-324"})
+    void theMiddleOfAPictureIsInTheMiddleOfTheViewWhateverTheSizesOfTheScreen(double distance, double screenWidth) {
+        Vector lookAt = new Vector(-3, 1, 7);
+        for (double k : new double[] {1, 0.999, 0.5, 1e-300, 0, -1e-300, -0.5, -1}) {
+            Camera camera = new Camera(Vector.ZERO, lookAt, new Vector(0, 1, 0), distance, screenWidth, new Fisheye(k));
+            Vector direction = direction(new PixelRays(camera, 5, 3), 2.5, 1.5);
+            assertTrue(lookAt.unit().minus(direction).largestPart() <= Math.ulp(1.0), k + ": " + direction);
+        }
+    }
+
+    /** An infinite tangent: but for the middle, a pinhole sees only what is beside it, and a fisheye nothing. */
+    @Test
+    void aScreenWhoseDistanceIsNothingBesideItsWidthShowsWhatIsSideways() {
+        PixelRays pinhole = tiny(1);
+        PixelRays fisheye = tiny(0.5);
+        for (int y = 0; y < 5; y++) {
+            for (int x = 0; x < 5; x++) {
+                if (x != 2 || y != 2) {
+                    assertAlong(new Vector(x - 2, 2 - y, 0), direction(pinhole, x + 0.5, y + 0.5));
+                    assertEquals(0, direction(pinhole, x + 0.5, y + 0.5).z());
+                    assertEquals(Optional.empty(), through(fisheye, x + 0.5, y + 0.5));
+                }
+            }
+        }
+    }
+
+    private static PixelRays tiny(double k) {
+        return new PixelRays(new Camera(Vector.ZERO, new Vector(0, 0, 1), new Vector(0, 1, 0), 1e-300, 1e300,
+            new Fisheye(k)), 5, 5);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.5, 0, -1})
+    void aScreenWhoseWidthIsNothingBesideItsDistanceShowsThePointInTheMiddle(double k) {
+        Camera camera = new Camera(Vector.ZERO, new Vector(0, 0, 1), new Vector(0, 1, 0), 1e300, 1e-300, new Fisheye(k));
+        for (int x = 0; x < 4; x++) {
+            assertEquals(new Vector(0, 0, 1), direction(new PixelRays(camera, 4, 4), x + 0.5, 0.5));
         }
     }
 }
