@@ -4,6 +4,7 @@ import raytracing.geometry.Departure;
 import raytracing.geometry.HitPoint;
 import raytracing.math.Basis;
 import raytracing.math.CounterRandom;
+import raytracing.math.Vector;
 
 /**
  * All lines along which light may come to a hit from a square that faces it: a pyramid, the shaft (Haines, Wallace, Shaft
@@ -22,6 +23,9 @@ public final class ShadowShaft {
      * sizes that went into them (proved: 8 ulp for the axes, at most 16 roundings in all).
      */
     static final double ROUNDING = 0x1p-45;
+
+    /** Far below the rounding of the largest double: added to any double, it gives a double. */
+    private static final double NOTHING_BESIDE_THE_LARGEST = 0x1p900;
 
     /** What a shaft is asked for. */
     public enum Use {
@@ -139,7 +143,8 @@ public final class ShadowShaft {
      * @param lightY y part
      * @param lightZ z part
      * @param error how far each part of it may be off
-     * @param width edge of the square
+     * @param width edge of the square; of a square that reaches beyond all doubles, a smaller one with the same middle is
+     *        taken
      */
     public void aim(HitPoint from, int surface, double lightX, double lightY, double lightZ, double error, double width) {
         hit = from;
@@ -152,7 +157,8 @@ public final class ShadowShaft {
         ly = lightY;
         lz = lightZ;
         endError = error;
-        halfWidth = width / 2;
+        double room = (Double.MAX_VALUE - Vector.largestPart(lx, ly, lz)) / 2;   // a corner is at most 1.5 half widths off
+        halfWidth = Math.min(width / 2, Math.max(room, NOTHING_BESIDE_THE_LARGEST));
         tx = lx - px;
         ty = ly - py;
         tz = lz - pz;
