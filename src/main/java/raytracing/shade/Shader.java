@@ -324,7 +324,8 @@ public final class Shader {
      * share * light * (Kd (N.L) + Ks intensity max(0, R.V)^n) over the lights that the surface faces.
      *
      * <p>A light no higher above a surface than the errors of both points along a unit normal, and that of the normal
-     * itself, is in the surface, as far as doubles know, and does not shine on it.
+     * itself, is in the surface, as far as doubles know, and does not shine on it. Nor does one that is further away than
+     * any double.
      */
     private void addDirectLight(Material material, long hitKey) {
         direct.clear();
@@ -345,7 +346,8 @@ public final class Shader {
             double distance = Vector.length(x, y, z);
             double height = normalX * x + normalY * y + normalZ * z;
             double heightError = 2 * (hit.error() + lightErrors[i]) + NORMAL_ERROR * distance;
-            if (!(height > heightError)) {   // this way round, also where the light itself is
+            // this way round, also where the light itself is, or where its height is beyond all doubles
+            if (!(height > heightError && height < Double.POSITIVE_INFINITY)) {
                 continue;
             }
             double highlight = 0;
