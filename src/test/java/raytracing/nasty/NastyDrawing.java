@@ -3,7 +3,9 @@ package raytracing.nasty;
 import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.film.Film;
+import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.scene.Scene;
 
 /** Draws nasty scenes, small, and says what is wrong with the picture. */
 final class NastyDrawing {
@@ -15,8 +17,13 @@ final class NastyDrawing {
 
     /** What is wrong with the picture of a scene: something thrown, or a pixel that is not light. */
     static Optional<String> defect(NastyScene scene) {
+        return defect(scene.scene(), scene.settings());
+    }
+
+    /** The same of any scene. */
+    static Optional<String> defect(Scene scene, RenderSettings settings) {
         try {
-            return defect(new Renderer(scene.scene(), scene.settings()).render());
+            return defect(new Renderer(scene, settings).render());
         } catch (RuntimeException | StackOverflowError thrown) {
             return Optional.of(thrown.toString());
         }
