@@ -37,4 +37,13 @@ public record DyadicVector(Dyadic x, Dyadic y, Dyadic z) {
     public Dyadic dot(DyadicVector other) {
         return x.times(other.x).plus(y.times(other.y)).plus(z.times(other.z));
     }
+
+    /**
+     * Sum of the sizes of the parts.
+     *
+     * @return |x| + |y| + |z|
+     */
+    public Dyadic sumOfSizes() {
+        return x.abs().plus(y.abs()).plus(z.abs());
+    }
 }

@@ -1,9 +1,11 @@
 package raytracing.math;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.math.MathContext;
 import java.util.SplittableRandom;
 import java.util.function.BinaryOperator;
 import org.junit.jupiter.api.Test;
@@ -81,5 +83,32 @@ class DyadicTest {
         assertEquals(Double.POSITIVE_INFINITY, new Dyadic(BigInteger.ONE, 1024).doubleValue());
         assertEquals(Double.NEGATIVE_INFINITY, new Dyadic(BigInteger.ONE.negate(), 5000).doubleValue());
         assertEquals(0, new Dyadic(BigInteger.ONE, -5000).doubleValue());
+    }
+
+    /** Of numbers longer than doubles, and of any size. */
+    private static Dyadic longNumber(SplittableRandom random) {
+        Dyadic number = Dyadic.of(Math.scalb(random.nextDouble(0.5, 1), random.nextInt(-300, 300)));
+        return random.nextInt(3) == 0 ? number
+            : number.times(Dyadic.of(random.nextDouble(0.5, 1))).plus(number.times(Dyadic.of(0x1p-90)));
+    }
+
+    private static void assertClose(BigDecimal expected, Dyadic found) {
+        BigDecimal error = expected.subtract(decimal(found)).abs();
+        assertTrue(error.compareTo(expected.abs().multiply(new BigDecimal(0x1p-77))) <= 0, () -> expected + " and " + found);
+    }
+
+    @Test
+    void quotientsAndRootsAreCutOffFarBehindTheDigitsOfADouble() {
+        SplittableRandom random = new SplittableRandom(8);
+        MathContext digits = new MathContext(60);
+        for (int i = 0; i < CASES / 10; i++) {
+            Dyadic a = longNumber(random);
+            Dyadic b = longNumber(random);
+            assertClose(decimal(a).divide(decimal(b), digits), a.over(b));
+            assertClose(decimal(a).divide(decimal(b), digits).negate(), a.negated().over(b));
+            assertClose(decimal(a).sqrt(digits), a.squareRoot());
+        }
+        assertEquals(0, Dyadic.ZERO.over(Dyadic.of(3)).signum());
+        assertEquals(0, Dyadic.ZERO.squareRoot().signum());
     }
 }
