@@ -75,6 +75,6 @@ final class CompiledRayCaster implements RayCaster {
         Hit from = starts.get(ray);
         start.take(from);
         double error = PointError.written(target);
-        return line.transmittance(start, from.surface(), target.x(), target.y(), target.z(), error) == 0;
+        return line.transmittance(start, target.x(), target.y(), target.z(), error) == 0;
     }
 }

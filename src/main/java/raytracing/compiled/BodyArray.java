@@ -7,8 +7,8 @@ import java.util.Optional;
  * rows of entries. Two kinds at most extend this, as the virtual machine compiles no more into one call.
  */
 abstract class BodyArray {
-    private final int count;
-    private final Optional<Hierarchy> hierarchy;
+    final int count;
+    final Optional<Hierarchy> hierarchy;
 
     BodyArray(int count, Optional<Hierarchy> hierarchy) {
         this.count = count;

@@ -3,6 +3,7 @@ package raytracing.compiled;
 import java.util.Optional;
 import raytracing.geometry.Box;
 import raytracing.geometry.BoxKernel;
+import raytracing.geometry.HitPoint;
 import raytracing.math.Vector;
 
 /** All boxes of a scene, flat. Entry i of every array belongs to the same box. */
@@ -52,7 +53,7 @@ final class BoxArray extends BodyArray {
     void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
         for (int i = from; i < to; i++) {
             if (number[i] != ray.surfaceLeft && !BoxKernel.isPlainlyMissed(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz,
-                    crossings.distance(), ray.originError, x[i], y[i], z[i], half[i])) {
+                    crossings.latest(), ray.originError, x[i], y[i], z[i], half[i])) {
                 crossings.offer(BoxKernel.firstCrossing(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.originError,
                     x[i], y[i], z[i], half[i]), number[i]);
             }
@@ -66,8 +67,8 @@ final class BoxArray extends BodyArray {
             if (number[i] != line.surfaceLeft
                     && !BoxKernel.isPlainlyMissed(line.px, line.py, line.pz, line.dx, line.dy, line.dz, 1, error,
                     x[i], y[i], z[i], half[i])
-                    && BoxKernel.crossesBetween(line.px, line.py, line.pz, line.pointError,
-                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], half[i])) {
+                    && line.isCrossing(BoxKernel.crossesBetween(line.px, line.py, line.pz, line.pointError,
+                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], half[i]), number[i])) {
                 line.crossed.add(number[i]);
                 line.lastBox = line.crossed.isDark() ? i : line.lastBox;
             }
@@ -83,13 +84,52 @@ final class BoxArray extends BodyArray {
         }
     }
 
+    /**
+     * Of some faces that meet in an edge or corner of a box, those in whose planes the boxes that touch it there have faces, too,
+     * through which a ray comes in.
+     *
+     * @param faces a bit 1 &lt;&lt; axis for each, with axis 0 for x, 1 for y, 2 for z
+     * @param point where the ray meets the edge
+     * @return all of the faces if no such plane is shared
+     */
+    int sharedFaces(int faces, HitPoint point, double dx, double dy, double dz, HierarchyWalk walk) {
+        if (hierarchy.isEmpty()) {
+            return sharedFaces(faces, point, dx, dy, dz, 0, count);
+        }
+        int shared = faces;
+        walk.startRay(hierarchy.get(), point.x(), point.y(), point.z(), point.error(), dx, dy, dz);
+        while (walk.nextLeaf(0)) {
+            shared = sharedFaces(shared, point, dx, dy, dz, walk.from(), walk.to());
+        }
+        return shared;
+    }
+
+    private int sharedFaces(int faces, HitPoint point, double dx, double dy, double dz, int from, int to) {
+        int shared = faces;
+        for (int i = from; i < to; i++) {
+            int others = new Box(new Vector(x[i], y[i], z[i]), 2 * half[i], 0).facesEntered(point, dx, dy, dz);
+            shared = (shared & others) == 0 ? shared : shared & others;
+        }
+        return shared;
+    }
+
     /** Adds the shadow of a box on the square of a shaft. */
     void addShadow(ShadowShaft shaft, int i, BoxShadow shadow, double transmittance) {
         double fx = x[i] - shaft.px;
         double fy = y[i] - shaft.py;
         double fz = z[i] - shaft.pz;
         double size = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + half[i];
-        shadow.add(shaft, fx, fy, fz, half[i], shaft.margin + ShadowShaft.ROUNDING * size, transmittance);
+        shadow.add(shaft, number[i], fx, fy, fz, half[i], shaft.margin + ShadowShaft.ROUNDING * size, transmittance);
+    }
+
+    /** The same for a line that starts before a face across an axis, on its plane as far as is known, and not near its edges. */
+    boolean isCrossedFromFace(ShadowShaft shaft, int i, int axis) {
+        double inwards = switch (axis) {
+            case 0 -> Math.copySign(1, x[i] - shaft.px) * (shaft.endX() - shaft.px);
+            case 1 -> Math.copySign(1, y[i] - shaft.py) * (shaft.endY() - shaft.py);
+            default -> Math.copySign(1, z[i] - shaft.pz) * (shaft.endZ() - shaft.pz);
+        };
+        return Math.abs(inwards) > shaft.margin ? inwards > 0 : isCrossed(shaft, i);
     }
 
     /** Whether the line of a shaft to (endX, endY, endZ) crosses a box. */
@@ -100,7 +140,7 @@ final class BoxArray extends BodyArray {
         double error = Math.max(shaft.pointError, shaft.endError);
         return !BoxKernel.isPlainlyMissed(shaft.px, shaft.py, shaft.pz, qx - shaft.px, qy - shaft.py, qz - shaft.pz,
             1, error, x[i], y[i], z[i], half[i])
-            && BoxKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError, qx, qy, qz, shaft.endError,
-            x[i], y[i], z[i], half[i]);
+            && shaft.isCrossing(BoxKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError, qx, qy, qz,
+            shaft.endError, x[i], y[i], z[i], half[i]), number[i]);
     }
 }

@@ -2,11 +2,25 @@ package raytracing.compiled;
 
 import java.util.Arrays;
 
-/** The boxes that some lines of a shaft cross and others may not. One thread, shaft after shaft. */
+/**
+ * The boxes that some lines of a shaft cross and others may not. One thread, shaft after shaft.
+ *
+ * <p>Of a box that the hit touches, the side of the hit is found once: from inside, a line crosses the walls if it ends outside;
+ * from before one of the faces, and not near their edges, if it goes in.
+ */
 final class BoxObstacles {
+    private static final int ASK = -1;
+    private static final int FROM_INSIDE = 3;
+
+    /** Above what two roundings take from the way to a face, in halves of the edge: 4 u, with u = 2^-53. */
+    private static final double ROUNDING = 0x1p-51;
+
     private final BoxArray boxes;
     private int[] entry = new int[8];
     private int[] number = new int[8];
+
+    /** The axis of the one face from before which the lines start, or {@link #FROM_INSIDE}, or nothing that is known. */
+    private int[] start = new int[8];
     private int count;
 
     BoxObstacles(BoxArray boxes) {
@@ -56,10 +70,33 @@ final class BoxObstacles {
         if (count == entry.length) {
             entry = Arrays.copyOf(entry, 2 * count);
             number = Arrays.copyOf(number, 2 * count);
+            start = Arrays.copyOf(start, 2 * count);
         }
         entry[count] = i;
         number[count] = surface;
+        start[count] = Math.abs(farthest - half) <= slack ? start(shaft, surface, fx, fy, fz, half) : ASK;
         count++;
+    }
+
+    /** What is known of a start that may be on the walls. */
+    private static int start(ShadowShaft shaft, int surface, double fx, double fy, double fz, double half) {
+        int side = shaft.sideOf(surface);
+        if (side < 0) {
+            return FROM_INSIDE;
+        }
+        double apart = shaft.margin;
+        if (side > 0 && isOn(shaft, fx, half) && Math.abs(fy) < half - apart && Math.abs(fz) < half - apart) {
+            return 0;
+        }
+        if (side > 0 && isOn(shaft, fy, half) && Math.abs(fx) < half - apart && Math.abs(fz) < half - apart) {
+            return 1;
+        }
+        return side > 0 && isOn(shaft, fz, half) && Math.abs(fx) < half - apart && Math.abs(fy) < half - apart ? 2 : ASK;
+    }
+
+    /** Whether the start is certainly on a face's plane, within its error. */
+    private static boolean isOn(ShadowShaft shaft, double toCentre, double half) {
+        return Math.abs(Math.abs(toCentre) - half) + ROUNDING * half <= shaft.pointError;
     }
 
     /** Whether the way to all four corners goes into the box: then all ways do, as a shadow of a box is convex. */
@@ -109,9 +146,17 @@ final class BoxObstacles {
     /** Adds the boxes that the shaft's present line crosses. */
     void addCrossed(ShadowShaft shaft) {
         for (int i = 0; i < count && !shaft.crossed.isDark(); i++) {
-            if (boxes.isCrossed(shaft, entry[i])) {
+            if (isCrossed(shaft, i)) {
                 shaft.crossed.add(number[i]);
             }
         }
+    }
+
+    private boolean isCrossed(ShadowShaft shaft, int i) {
+        return switch (start[i]) {
+            case ASK -> boxes.isCrossed(shaft, entry[i]);
+            case FROM_INSIDE -> shaft.endsOutside(number[i]);
+            default -> boxes.isCrossedFromFace(shaft, entry[i], start[i]);
+        };
     }
 }

@@ -32,23 +32,25 @@ final class BoxShadow {
     }
 
     /**
-     * Adds the shadow of a box.
+     * Adds the shadow of a box, not that which was hit.
      *
+     * @param surface number of the box
      * @param fx way from the hit to the centre, world axes, x part
      * @param fy y part
      * @param fz z part
      * @param halfEdge half its edge
-     * @param slack how far its walls may be off; a hit so near to a wall is on it
+     * @param slack how far its walls may be off; of a hit so near to a wall, exact numbers tell the side
      * @param passing share of light that the box lets through
      */
-    void add(ShadowShaft newShaft, double fx, double fy, double fz, double halfEdge, double slack, double passing) {
+    void add(ShadowShaft newShaft, int surface, double fx, double fy, double fz, double halfEdge, double slack, double passing) {
         set(newShaft, fx, fy, fz, halfEdge);
         boolean isOutside = false;
         for (int i = 0; i < AXES; i++) {
             double distance = Math.abs(toCentre[i]) - half;
-            isFacing[i] = distance >= -slack;
-            toWall[i] = distance;
-            isOutside |= distance > slack;
+            double side = Math.abs(distance) > slack ? distance : shaft.sideOf(surface, i);
+            isFacing[i] = side >= 0;
+            toWall[i] = Math.abs(distance) > slack ? distance : 0;
+            isOutside |= side > 0;
         }
         if (isOutside) {
             addOutside(passing);
@@ -86,7 +88,7 @@ final class BoxShadow {
     private void addOutline(int wall, int across) {
         double ahead = Math.abs(toCentre[across]);
         addLine(wall, ahead + half, across, -toWall[wall]);
-        if (!isFacing[across]) {
+        if (!isFacing[across] && toWall[across] != 0) {
             addLine(wall, half - ahead, across, toWall[wall]);
         }
     }

@@ -10,6 +10,7 @@ import raytracing.geometry.HitPoint;
 import raytracing.geometry.Plane;
 import raytracing.geometry.Sphere;
 import raytracing.geometry.Surface;
+import raytracing.math.Vector;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
 
@@ -134,6 +135,10 @@ public final class CompiledScene {
         return surfaces[number];
     }
 
+    Box box(int number) {
+        return (Box) surfaces[number];
+    }
+
     boolean isPlane(int number) {
         return surfaces[number] instanceof Plane;
     }
@@ -181,9 +186,18 @@ public final class CompiledScene {
         boxes.addTouched(shaft, walk);
     }
 
-    /** Whether a straight line from a hit goes through the body of the surface that was hit, from wall to wall. */
-    boolean isOwnBodyCrossed(HitPoint hit, int surface, double qx, double qy, double qz, double endError) {
-        return hit.departureTowards(qx - hit.x(), qy - hit.y(), qz - hit.z()) == Departure.INWARD
-            && surfaces[surface].isLeftBefore(qx, qy, qz, endError);
+    /**
+     * Whether a straight line from a hit crosses the body of the surface that was hit: from inside, if it ends outside; from
+     * outside, if it goes through from wall to wall.
+     */
+    boolean isOwnBodyCrossed(HitPoint hit, double qx, double qy, double qz, double endError) {
+        return (hit.side() == Departure.INWARD
+            || hit.departureTowards(qx - hit.x(), qy - hit.y(), qz - hit.z()) == Departure.INWARD)
+            && surfaces[hit.surface()].isLeftBefore(qx, qy, qz, endError);
+    }
+
+    /** Whether a straight line from a hit crosses another surface, decided exactly. */
+    boolean isCrossedBetween(HitPoint hit, int surface, double qx, double qy, double qz, double endError) {
+        return surfaces[surface].isCrossedBetween(hit.place(), surface, new Vector(qx, qy, qz), endError);
     }
 }

@@ -3,18 +3,39 @@ package raytracing.compiled;
 import java.util.Arrays;
 import raytracing.geometry.Ray;
 import raytracing.geometry.Surface;
+import raytracing.math.Surd;
 
 /**
  * What a ray has met so far, as its query goes from surface to surface: either the nearest crossing alone, or all of them.
- * Crossings are ordered by distance, and at equal distances by the number of the surface: so coincident surfaces have
- * an order too, the one of the scene, and a walk from each crossing to the next meets every surface once. One thread, query
- * after query.
+ * Crossings are ordered as the real numbers are that they stand for, and equal ones by the number of the surface: so coincident
+ * surfaces have an order too, the one of the scene, and a walk from each crossing to the next meets every surface once. Where
+ * distances in doubles are too close for that, exact ones are compared. One thread, query after query.
  */
 final class Crossings {
+    /**
+     * Distances further apart than this, relative to either, are in the order of the exact ones: 32 times the error of
+     * two crossings, each at most 16 units in the last place.
+     */
+    private static final double CLOSE = 0x1p-43;
+
+    private static final int NEAREST = 0;
+    private static final int OTHER = 1;
+
+    private final RayWalk ray;
     private double afterDistance;
     private int afterSurface;
     private double distance;
     private int surface;
+
+    /** Beyond this, a crossing comes after the one found so far; before the other, it comes before it. */
+    private double clearlyAfterFound;
+    private double clearlyBeforeFound;
+
+    /** Beyond this, a crossing comes after the one from which the query started. */
+    private double clearlyAfterStart;
+
+    private final int[] exactSurfaces = {Ray.NO_SURFACE, Ray.NO_SURFACE};
+    private final Surd[] exactCrossings = {Surd.ZERO, Surd.ZERO};
 
     private boolean keepsAll;
     private double[] distances = new double[16];
@@ -22,9 +43,15 @@ final class Crossings {
     private int count;
     private int next;
 
-    /** Begins a query for the nearest crossing of all. */
+    Crossings(RayWalk ray) {
+        this.ray = ray;
+    }
+
+    /** Begins a query for the nearest crossing of all, those at the ray's origin included. */
     void findNearest() {
-        findAfter(0, Integer.MAX_VALUE);
+        findAfter(0, Ray.NO_SURFACE);
+        exactSurfaces[NEAREST] = Ray.NO_SURFACE;
+        exactSurfaces[OTHER] = Ray.NO_SURFACE;
         keepsAll = false;
     }
 
@@ -42,23 +69,48 @@ final class Crossings {
     private void findAfter(double crossing, int number) {
         afterDistance = crossing;
         afterSurface = number;
-        distance = Surface.MISS;
-        surface = Ray.NO_SURFACE;
+        clearlyAfterStart = crossing * (1 + CLOSE);
         count = 0;
         next = 0;
+        find(Surface.MISS, Ray.NO_SURFACE);
     }
 
-    /** Takes note of a crossing. A miss never comes before anything, so it changes nothing. */
+    private void find(double crossing, int number) {
+        distance = crossing;
+        surface = number;
+        clearlyAfterFound = crossing * (1 + CLOSE);
+        clearlyBeforeFound = crossing * (1 - CLOSE);
+    }
+
+    /**
+     * Takes note of a crossing, if it comes after the start of the query, and no nearer one is known. Most are decided by
+     * two comparisons.
+     */
     void offer(double crossing, int number) {
-        if (comesBefore(crossing, number, distance, surface)
-                && comesBefore(afterDistance, afterSurface, crossing, number)) {
-            if (keepsAll) {
-                keep(crossing, number);
-            } else {
-                distance = crossing;
-                surface = number;
-            }
+        if (crossing > clearlyAfterFound || crossing == Surface.MISS) {
+            return;
         }
+        if (crossing > clearlyAfterStart && crossing < clearlyBeforeFound && !keepsAll) {
+            find(crossing, number);
+        } else {
+            offerClose(crossing, number);
+        }
+    }
+
+    private void offerClose(double quickCrossing, int number) {
+        double crossing = Double.isNaN(quickCrossing) ? Surface.distance(ray.exactCrossing(number)) : quickCrossing;
+        if (crossing == Surface.MISS || isStart(number) || !comesBefore(afterDistance, afterSurface, crossing, number)) {
+            return;
+        }
+        if (keepsAll) {
+            keep(crossing, number);
+        } else if (comesBefore(crossing, number, distance, surface)) {
+            find(crossing, number);
+        }
+    }
+
+    private boolean isStart(int number) {
+        return number == afterSurface;
     }
 
     private void keep(double crossing, int number) {
@@ -76,8 +128,27 @@ final class Crossings {
         surfaces[place] = number;
     }
 
-    private static boolean comesBefore(double distance, int surface, double otherDistance, int otherSurface) {
-        return distance < otherDistance || distance == otherDistance && surface < otherSurface;
+    private boolean comesBefore(double crossing, int number, double otherCrossing, int otherNumber) {
+        int order = order(crossing, number, otherCrossing, otherNumber);
+        return order < 0 || order == 0 && number < otherNumber;
+    }
+
+    /** The exact crossing with a surface that the ray meets, found once for the nearest so far and for the last other one. */
+    private Surd exact(int number) {
+        int place = number == surface ? NEAREST : OTHER;
+        if (exactSurfaces[place] != number) {
+            exactCrossings[place] = ray.exactCrossing(number).orElseThrow();
+            exactSurfaces[place] = number;
+        }
+        return exactCrossings[place];
+    }
+
+    /** Compares two crossings exactly; the ray's origin counts as a crossing of no surface. */
+    private int order(double crossing, int number, double otherCrossing, int otherNumber) {
+        boolean isClear = Math.abs(crossing - otherCrossing) > CLOSE * Math.min(crossing, otherCrossing);
+        return isClear || number == Ray.NO_SURFACE || otherNumber == Ray.NO_SURFACE
+            ? Double.compare(crossing, otherCrossing)
+            : exact(number).compareTo(exact(otherNumber));
     }
 
     boolean keepsAll() {
@@ -99,6 +170,11 @@ final class Crossings {
     /** The nearest crossing so far, or the one that was advanced to; while all are asked for, there is none. */
     double distance() {
         return distance;
+    }
+
+    /** The last distance at which a crossing may come before that one. */
+    double latest() {
+        return clearlyAfterFound;
     }
 
     /** Number of the surface of that crossing. */

@@ -41,12 +41,12 @@ public final class ExactShadow {
     public double meanTransmittance(ShadowShaft shaft) {
         shadows.clear(shaft.depth, shaft.halfWidth);
         if (shaft.ownBodyIsObstacle()) {
-            // it hides what is behind its wall at the hit, but for the part of the square that it contains
+            // it hides what is behind its wall at the hit, from inside everything, but for the part of the square in it
             HitPoint hit = shaft.hit();
-            double sign = hit.side() == Departure.INWARD ? 1 : -1;
-            double a = sign * hit.alongNormal(shaft.ux, shaft.uy, shaft.uz);
-            double b = sign * hit.alongNormal(shaft.vx, shaft.vy, shaft.vz);
-            double c = sign * hit.alongNormal(shaft.tx, shaft.ty, shaft.tz);
+            boolean isInside = hit.side() == Departure.INWARD;
+            double a = isInside ? 0 : -hit.alongNormal(shaft.ux, shaft.uy, shaft.uz);
+            double b = isInside ? 0 : -hit.alongNormal(shaft.vx, shaft.vy, shaft.vz);
+            double c = isInside ? 1 : -hit.alongNormal(shaft.tx, shaft.ty, shaft.tz);
             Surface own = scene.surface(shaft.surfaceLeft);
             double passing = transmittanceOf[shaft.surfaceLeft];
             if (own.isApartFrom(shaft.lx, shaft.ly, shaft.lz, 2 * shaft.halfWidth + shaft.margin)) {

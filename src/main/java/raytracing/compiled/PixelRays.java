@@ -1,8 +1,5 @@
 package raytracing.compiled;
 
-import raytracing.geometry.Departure;
-import raytracing.geometry.PointError;
-import raytracing.geometry.Ray;
 import raytracing.math.Basis;
 import raytracing.math.Vector;
 import raytracing.scene.Camera;
@@ -85,8 +82,6 @@ public final class PixelRays {
         double z = forward * forwardAxis.z() + right * rightAxis.z() + up * upAxis.z();
         double scale = Vector.safeScale(x, y, z);
         double factor = Vector.unitFactor(scale * x, scale * y, scale * z);
-        Vector eye = camera.position();
-        walk.start(eye.x(), eye.y(), eye.z(), PointError.written(eye),
-            scale * x * factor, scale * y * factor, scale * z * factor, Ray.NO_SURFACE, Departure.ELSEWHERE);
+        walk.start(camera.position(), scale * x * factor, scale * y * factor, scale * z * factor);
     }
 }

@@ -29,13 +29,10 @@ final class PlaneArray {
 
     /** Offers the crossing of a ray with every plane but the one it leaves. */
     void offerCrossings(RayWalk ray, Crossings crossings) {
-        double[] u = ray.order.first(x, y, z);
-        double[] v = ray.order.first(y, z, x);
-        double[] w = ray.order.first(z, x, y);
         for (int i = 0; i < number.length; i++) {
             if (number[i] != ray.surfaceLeft) {
-                crossings.offer(PlaneKernel.firstCrossing(ray.ou, ray.ov, ray.ow, ray.du, ray.dv, ray.dw, ray.originError,
-                    u[i], v[i], w[i], offset[i]), number[i]);
+                crossings.offer(PlaneKernel.firstCrossing(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.originError,
+                    x[i], y[i], z[i], offset[i]), number[i]);
             }
         }
     }
@@ -43,8 +40,9 @@ final class PlaneArray {
     /** Adds the planes that a line crosses, but for the one it leaves. */
     void addCrossed(ShadowLine line) {
         for (int i = 0; i < number.length && !line.crossed.isDark(); i++) {
-            if (number[i] != line.surfaceLeft && PlaneKernel.crossesBetween(line.px, line.py, line.pz, line.pointError,
-                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], offset[i])) {
+            if (number[i] != line.surfaceLeft
+                    && line.isCrossing(PlaneKernel.crossesBetween(line.px, line.py, line.pz, line.pointError,
+                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], offset[i]), number[i])) {
                 line.crossed.add(number[i]);
             }
         }
@@ -71,7 +69,7 @@ final class PlaneArray {
 
     /** Whether the line of a shaft to (endX, endY, endZ) crosses a plane. */
     boolean isCrossed(ShadowShaft shaft, int i) {
-        return PlaneKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError,
-            shaft.endX(), shaft.endY(), shaft.endZ(), shaft.endError, x[i], y[i], z[i], offset[i]);
+        return shaft.isCrossing(PlaneKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError,
+            shaft.endX(), shaft.endY(), shaft.endZ(), shaft.endError, x[i], y[i], z[i], offset[i]), number[i]);
     }
 }

@@ -5,9 +5,6 @@ import raytracing.area.ConvexShadows;
 
 /** The planes that some lines of a shaft cross and others do not. One thread, shaft after shaft. */
 final class PlaneObstacles {
-    /** Instead of a gap that is in doubt. */
-    private static final double ON_THE_PLANE = 0;
-
     private final PlaneArray planes;
     private int[] entry = new int[4];
     private int[] number = new int[4];
@@ -54,11 +51,11 @@ final class PlaneObstacles {
         }
         entry[count] = i;
         number[count] = surface;
-        this.gap[count] = Math.abs(gap) > doubt ? gap : ON_THE_PLANE;
+        this.gap[count] = Math.abs(gap) > doubt ? gap : -shaft.sideOf(surface);
         this.middleGap[count] = middleGap;
         this.alongU[count] = alongU;
         this.alongV[count] = alongV;
-        this.doubt[count] = shaft.usesOwnCoordinates && Math.abs(gap) > doubt ? doubt : Double.POSITIVE_INFINITY;
+        this.doubt[count] = shaft.usesOwnCoordinates && this.gap[count] != 0 ? doubt : Double.POSITIVE_INFINITY;
         count++;
     }
 
@@ -72,10 +69,10 @@ final class PlaneObstacles {
         doubt = Arrays.copyOf(doubt, 2 * count);
     }
 
-    /** Adds the shadows of these planes on the shaft's square: all beyond them. */
+    /** Adds the shadows of these planes on the shaft's square: all beyond them, but for those that the point is on. */
     void addShadows(ConvexShadows shadows, double[] transmittanceOf) {
         for (int i = 0; i < count; i++) {
-            if (gap[i] != ON_THE_PLANE) {
+            if (gap[i] != 0) {
                 double towards = gap[i] > 0 ? 1 : -1;
                 shadows.beginFigure(transmittanceOf[number[i]]);
                 shadows.addLine(towards * alongU[i], towards * alongV[i], -towards * middleGap[i]);

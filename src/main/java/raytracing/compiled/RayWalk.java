@@ -1,11 +1,15 @@
 package raytracing.compiled;
 
+import java.util.Optional;
+import raytracing.geometry.Box;
 import raytracing.geometry.Departure;
 import raytracing.geometry.Hit;
 import raytracing.geometry.HitPoint;
+import raytracing.geometry.PointError;
 import raytracing.geometry.Ray;
+import raytracing.geometry.Standpoint;
 import raytracing.geometry.Surface;
-import raytracing.math.AxisOrder;
+import raytracing.math.Surd;
 import raytracing.math.Vector;
 
 /**
@@ -24,20 +28,11 @@ public final class RayWalk {
     double originError;
     int surfaceLeft;
 
-    /** The order of axes in which the ray's sums run, and origin and direction in that order. */
-    AxisOrder order;
-    double ou;
-    double ov;
-    double ow;
-    double du;
-    double dv;
-    double dw;
-
     private final CompiledScene scene;
     private final HierarchyWalk hierarchyWalk = new HierarchyWalk();
-    private final Crossings crossings = new Crossings();
+    private final Standpoint origin = new Standpoint();
+    private final Crossings crossings = new Crossings(this);
     private final HitPoint point = new HitPoint();
-    private Departure departure;
     private boolean isStarted;
     private Surface surface;
 
@@ -56,41 +51,46 @@ public final class RayWalk {
      * @param ray any ray
      */
     public void start(Ray ray) {
-        start(ray.origin().x(), ray.origin().y(), ray.origin().z(), ray.originError(),
-            ray.direction().x(), ray.direction().y(), ray.direction().z(), ray.surfaceLeft(), ray.departure());
+        Vector o = ray.origin();
+        origin.start(o.x(), o.y(), o.z(), ray.originError(), ray.surfaceLeft(), ray.departure());
+        start(ray.direction().x(), ray.direction().y(), ray.direction().z());
     }
 
     /**
-     * Begins to walk along a ray given by its parts, as {@link Ray} names them.
+     * Begins to walk from a point that the scene names.
      *
-     * @param originX origin, x part, world axes
-     * @param originY y part
-     * @param originZ z part
-     * @param error how far each part of the origin may be off
+     * @param from the point, world axes
      * @param directionX direction, x part; not all three 0
      * @param directionY y part
      * @param directionZ z part
-     * @param left number of the surface on which the ray starts, or {@link Ray#NO_SURFACE}
-     * @param towards to which side of that surface it leaves
      */
-    public void start(double originX, double originY, double originZ, double error,
-                      double directionX, double directionY, double directionZ, int left, Departure towards) {
-        ox = originX;
-        oy = originY;
-        oz = originZ;
-        originError = error;
+    public void start(Vector from, double directionX, double directionY, double directionZ) {
+        origin.start(from.x(), from.y(), from.z(), PointError.written(from), Ray.NO_SURFACE, Departure.ELSEWHERE);
+        start(directionX, directionY, directionZ);
+    }
+
+    /**
+     * Begins to walk from a hit, on the side from which it was seen.
+     *
+     * @param from the hit's place
+     * @param directionX direction, x part; not all three 0
+     * @param directionY y part
+     * @param directionZ z part
+     */
+    public void start(Standpoint from, double directionX, double directionY, double directionZ) {
+        origin.take(from);
+        start(directionX, directionY, directionZ);
+    }
+
+    private void start(double directionX, double directionY, double directionZ) {
+        ox = origin.x();
+        oy = origin.y();
+        oz = origin.z();
+        originError = origin.error();
+        surfaceLeft = origin.surface();
         dx = directionX;
         dy = directionY;
         dz = directionZ;
-        surfaceLeft = left;
-        departure = towards;
-        order = AxisOrder.of(dx, dy, dz);
-        ou = order.first(ox, oy, oz);
-        ov = order.first(oy, oz, ox);
-        ow = order.first(oz, ox, oy);
-        du = order.first(dx, dy, dz);
-        dv = order.first(dy, dz, dx);
-        dw = order.first(dz, dx, dy);
         isStarted = false;
     }
 
@@ -119,8 +119,27 @@ public final class RayWalk {
             return false;
         }
         surface = scene.surface(crossings.surface());
-        surface.describe(ox, oy, oz, dx, dy, dz, crossings.distance(), point);
+        surface.describe(origin, crossings.surface(), dx, dy, dz, crossings.distance(), point);
+        if (surface instanceof Box box && point.side() == Departure.OUTWARD) {
+            chooseFace(box);
+        }
         return true;
+    }
+
+    /**
+     * Where boxes touch, a ray may meet the edge of one whose side is hidden by the next: what is seen there is a face
+     * whose plane is that of a face of the others, too.
+     */
+    private void chooseFace(Box box) {
+        int faces = box.facesEntered(point, dx, dy, dz);
+        if (Integer.bitCount(faces) < 2) {
+            return;
+        }
+        int shared = scene.boxes().sharedFaces(faces, point, dx, dy, dz, hierarchyWalk);
+        if (!point.isOnFace(shared)) {
+            box.describe(origin, crossings.surface(), dx, dy, dz, crossings.distance(),
+                Integer.numberOfTrailingZeros(shared), Departure.OUTWARD, point);
+        }
     }
 
     /**
@@ -129,9 +148,14 @@ public final class RayWalk {
      */
     private void ask() {
         scene.offerCrossings(this, hierarchyWalk, crossings);
-        if (departure == Departure.INWARD) {
-            crossings.offer(scene.surface(surfaceLeft).farWall(ox, oy, oz, dx, dy, dz), surfaceLeft);
+        if (origin.side() == Departure.INWARD) {
+            crossings.offer(scene.surface(surfaceLeft).farWall(origin, dx, dy, dz), surfaceLeft);
         }
+    }
+
+    /** The first crossing with a surface in exact numbers, if there is one. */
+    Optional<Surd> exactCrossing(int number) {
+        return scene.surface(number).crossing(origin, number, new Vector(dx, dy, dz));
     }
 
     /**
@@ -194,7 +218,7 @@ public final class RayWalk {
      * @return what the walk was started with
      */
     public Ray ray() {
-        return new Ray(new Vector(ox, oy, oz), originError, new Vector(dx, dy, dz), surfaceLeft, departure);
+        return new Ray(new Vector(ox, oy, oz), originError, new Vector(dx, dy, dz), surfaceLeft, origin.side());
     }
 
     /**
@@ -203,6 +227,6 @@ public final class RayWalk {
      * @return the hit
      */
     public Hit hit() {
-        return point.toHit(surface(), material(), crossings.distance());
+        return point.toHit(material(), crossings.distance());
     }
 }

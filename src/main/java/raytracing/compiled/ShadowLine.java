@@ -1,5 +1,6 @@
 package raytracing.compiled;
 
+import raytracing.geometry.Answer;
 import raytracing.geometry.HitPoint;
 
 /**
@@ -32,6 +33,7 @@ public final class ShadowLine {
     final CrossedSurfaces crossed;
     private final HierarchyWalk hierarchyWalk = new HierarchyWalk();
     private final CompiledScene scene;
+    private HitPoint hit;
 
     /**
      * No line yet.
@@ -46,15 +48,15 @@ public final class ShadowLine {
     /**
      * How much light comes through between a hit and a point off it.
      *
-     * @param hit one end
-     * @param surface number of the surface that was hit
+     * @param from one end
      * @param endX the other end, x part
      * @param endY y part
      * @param endZ z part
      * @param error how far each part of the other end may be off
      * @return product of the crossed surfaces' transmittances, in [0, 1]
      */
-    public double transmittance(HitPoint hit, int surface, double endX, double endY, double endZ, double error) {
+    public double transmittance(HitPoint from, double endX, double endY, double endZ, double error) {
+        hit = from;
         px = hit.x();
         py = hit.y();
         pz = hit.z();
@@ -66,12 +68,17 @@ public final class ShadowLine {
         dx = qx - px;
         dy = qy - py;
         dz = qz - pz;
-        surfaceLeft = surface;
+        surfaceLeft = hit.surface();
         crossed.clear();
         scene.addCrossed(this, hierarchyWalk);
-        if (!crossed.isDark() && scene.isOwnBodyCrossed(hit, surface, qx, qy, qz, endError)) {
-            crossed.add(surface);
+        if (!crossed.isDark() && scene.isOwnBodyCrossed(hit, qx, qy, qz, endError)) {
+            crossed.add(surfaceLeft);
         }
         return crossed.transmittance();
+    }
+
+    /** Whether this line crosses a surface, given what doubles say. */
+    boolean isCrossing(Answer quick, int surface) {
+        return quick == Answer.UNDECIDED ? scene.isCrossedBetween(hit, surface, qx, qy, qz, endError) : quick == Answer.YES;
     }
 }

@@ -1,7 +1,10 @@
 package raytracing.compiled;
 
+import raytracing.geometry.Answer;
+import raytracing.geometry.Box;
 import raytracing.geometry.Departure;
 import raytracing.geometry.HitPoint;
+import raytracing.geometry.Surface;
 import raytracing.math.Basis;
 import raytracing.math.CounterRandom;
 import raytracing.math.Vector;
@@ -138,7 +141,6 @@ public final class ShadowShaft {
      * compile a method of more than 325 bytes into its callers again (DECISIONS).
      *
      * @param from the hit, which must stay as it is while the shaft is asked
-     * @param surface number of the surface that was hit
      * @param lightX middle of the light's square, x part; not at the hit
      * @param lightY y part
      * @param lightZ z part
@@ -146,9 +148,9 @@ public final class ShadowShaft {
      * @param width edge of the square; of a square that reaches beyond all doubles, a smaller one with the same middle is
      *        taken
      */
-    public void aim(HitPoint from, int surface, double lightX, double lightY, double lightZ, double error, double width) {
+    public void aim(HitPoint from, double lightX, double lightY, double lightZ, double error, double width) {
         hit = from;
-        surfaceLeft = surface;
+        surfaceLeft = hit.surface();
         px = hit.x();
         py = hit.y();
         pz = hit.z();
@@ -200,7 +202,7 @@ public final class ShadowShaft {
 
     /**
      * The surface of the hit. Where the whole square is above the horizon, all lines leave a body that is seen from
-     * outside, and all go through one that is seen from inside and far from the light.
+     * outside. All go through one that is seen from inside and far from the light.
      */
     private void sortOwnBody() {
         double height = hit.alongNormal(tx, ty, tz);
@@ -208,7 +210,7 @@ public final class ShadowShaft {
         boolean isWhollySeen = height - spread > margin;
         boolean isSeenFromInside = hit.side() == Departure.INWARD;
         ownBodyIsObstacle = !scene.isPlane(surfaceLeft) && !(isWhollySeen && !isSeenFromInside);
-        if (ownBodyIsObstacle && isWhollySeen
+        if (ownBodyIsObstacle && isSeenFromInside
                 && scene.surface(surfaceLeft).isApartFrom(lx, ly, lz, 2 * halfWidth + margin)) {
             ownBodyIsObstacle = false;
             certain.add(surfaceLeft);
@@ -328,7 +330,7 @@ public final class ShadowShaft {
         sampleX = x;
         sampleY = y;
         if (asksLines) {
-            return line.transmittance(hit, surfaceLeft, endX(), endY(), endZ(), endError);
+            return line.transmittance(hit, endX(), endY(), endZ(), endError);
         }
         crossed.clear();
         if (spheres.count() > 0) {
@@ -341,7 +343,7 @@ public final class ShadowShaft {
             boxes.addCrossed(this);
         }
         if (ownBodyIsObstacle && !crossed.isDark()
-                && scene.isOwnBodyCrossed(hit, surfaceLeft, endX(), endY(), endZ(), endError)) {
+                && scene.isOwnBodyCrossed(hit, endX(), endY(), endZ(), endError)) {
             crossed.add(surfaceLeft);
         }
         if (crossed.isEmpty()) {
@@ -351,6 +353,27 @@ public final class ShadowShaft {
             crossed.addAll(certain);
         }
         return crossed.transmittance();
+    }
+
+    /** Whether the present line crosses a surface, given what doubles say. */
+    boolean isCrossing(Answer quick, int surface) {
+        return quick == Answer.UNDECIDED ? scene.isCrossedBetween(hit, surface, endX(), endY(), endZ(), endError)
+            : quick == Answer.YES;
+    }
+
+    /** Whether the present line ends outside a body. */
+    boolean endsOutside(int surface) {
+        return scene.surface(surface).isLeftBefore(endX(), endY(), endZ(), endError);
+    }
+
+    /** On which side of a surface the hit lies, as {@link Surface#side} says. */
+    int sideOf(int surface) {
+        return scene.surface(surface).side(hit.place(), surface);
+    }
+
+    /** On which side of the two faces of a box across an axis the hit lies, as {@link Box#side} says. */
+    int sideOf(int box, int axis) {
+        return scene.box(box).side(hit.place(), box, axis);
     }
 
     /** The end of the present line, world axes, x part. */

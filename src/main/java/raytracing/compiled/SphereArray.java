@@ -50,20 +50,18 @@ final class SphereArray extends BodyArray {
 
     @Override
     void offerCrossings(RayWalk ray, int from, int to, Crossings crossings) {
-        double[] u = ray.order.first(x, y, z);
-        double[] v = ray.order.first(y, z, x);
-        double[] w = ray.order.first(z, x, y);
-        double ou = ray.ou;
-        double ov = ray.ov;
-        double ow = ray.ow;
-        double du = ray.du;
-        double dv = ray.dv;
-        double dw = ray.dw;
+        double ox = ray.ox;
+        double oy = ray.oy;
+        double oz = ray.oz;
+        double dx = ray.dx;
+        double dy = ray.dy;
+        double dz = ray.dz;
         for (int i = from; i < to; i++) {
             if (number[i] != ray.surfaceLeft
-                    && !SphereKernel.isPlainlyMissed(ou, ov, ow, du, dv, dw, u[i], v[i], w[i], radius[i])) {
-                crossings.offer(SphereKernel.firstCrossing(ou, ov, ow, du, dv, dw, ray.originError,
-                    u[i], v[i], w[i], radius[i]), number[i]);
+                    && !SphereKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, ray.originError,
+                    x[i], y[i], z[i], radius[i])) {
+                crossings.offer(SphereKernel.firstCrossing(ox, oy, oz, dx, dy, dz, ray.originError,
+                    x[i], y[i], z[i], radius[i]), number[i]);
             }
         }
     }
@@ -76,11 +74,13 @@ final class SphereArray extends BodyArray {
         double dx = line.dx;
         double dy = line.dy;
         double dz = line.dz;
+        double error = Math.max(line.pointError, line.endError);
         for (int i = from; i < to && !line.crossed.isDark(); i++) {
             if (number[i] != line.surfaceLeft
-                    && !SphereKernel.isPlainlyMissed(px, py, pz, dx, dy, dz, x[i], y[i], z[i], radius[i])
-                    && SphereKernel.crossesBetween(px, py, pz, line.pointError, line.qx, line.qy, line.qz, line.endError,
-                    x[i], y[i], z[i], radius[i])) {
+                    && !SphereKernel.isPlainlyMissed(px, py, pz, dx, dy, dz, error,
+                    x[i], y[i], z[i], radius[i])
+                    && line.isCrossing(SphereKernel.crossesBetween(px, py, pz, line.pointError,
+                    line.qx, line.qy, line.qz, line.endError, x[i], y[i], z[i], radius[i]), number[i])) {
                 line.crossed.add(number[i]);
                 line.lastSphere = line.crossed.isDark() ? i : line.lastSphere;
             }
@@ -123,7 +123,7 @@ final class SphereArray extends BodyArray {
 
     /** Whether the line of a shaft to (endX, endY, endZ) crosses a sphere. */
     boolean isCrossed(ShadowShaft shaft, int i) {
-        return SphereKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError,
-            shaft.endX(), shaft.endY(), shaft.endZ(), shaft.endError, x[i], y[i], z[i], radius[i]);
+        return shaft.isCrossing(SphereKernel.crossesBetween(shaft.px, shaft.py, shaft.pz, shaft.pointError,
+            shaft.endX(), shaft.endY(), shaft.endZ(), shaft.endError, x[i], y[i], z[i], radius[i]), number[i]);
     }
 }

@@ -11,6 +11,10 @@ import java.util.Arrays;
  */
 final class SphereObstacles {
     private static final double ALWAYS_IN_DOUBT = Double.POSITIVE_INFINITY;
+    private static final int UNKNOWN = 0;
+
+    /** 64 u, with u = 2^-53: axes that are off by 8 ulp, twice, and what rounding takes from the squares. */
+    private static final double POWER_ERROR = 0x1p-47;
 
     private final SphereArray spheres;
     private int[] entry = new int[8];
@@ -20,6 +24,9 @@ final class SphereObstacles {
     private double[] ahead = new double[8];
     private double[] power = new double[8];
     private double[] doubt = new double[8];
+
+    /** Of a sphere that the hit touches, 1 if it does so from outside and -1 from inside; {@link #UNKNOWN} of others. */
+    private int[] side = new int[8];
     private int count;
 
     SphereObstacles(SphereArray spheres) {
@@ -51,11 +58,19 @@ final class SphereObstacles {
         if (isApart ? hidesSquare(shaft, mx, my, mz, squaredDistance, r - slack)
                 : separatesSquare(shaft, mx, my, mz, squaredDistance, grown, r - slack)) {
             shaft.certain.add(surface);
-        } else if (isApart || !isAround(shaft, mx, my, mz, squaredDistance, r - slack)) {
+        } else if (isApart) {
             double error = squaredDistance * shaft.cornerDistance
                 * (ShadowShaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin);
+            add(surface, i, mx, my, mz * shaft.depth, power, shaft.usesOwnCoordinates ? error : ALWAYS_IN_DOUBT, UNKNOWN);
+        } else if (!isAround(shaft, mx, my, mz, squaredDistance, r - slack)) {
+            // certainly on the wall, within the hit's error
+            boolean touches = Math.abs(power) + POWER_ERROR * squaredDistance
+                <= 2 * shaft.pointError * Math.sqrt(squaredDistance);
+            double error = (r + slack) * (ShadowShaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin)
+                + slack * shaft.cornerDistance;
+            int sideOfHit = touches ? shaft.sideOf(surface) : UNKNOWN;
             add(surface, i, mx, my, mz * shaft.depth, power,
-                isApart && shaft.usesOwnCoordinates ? error : ALWAYS_IN_DOUBT);
+                sideOfHit > 0 && shaft.usesOwnCoordinates ? error : ALWAYS_IN_DOUBT, sideOfHit);
         }
     }
 
@@ -96,7 +111,8 @@ final class SphereObstacles {
         return farX * farX + farY * farY + gap * gap;
     }
 
-    private void add(int surface, int i, double mx, double my, double mzTimesDepth, double power, double error) {
+    private void add(int surface, int i, double mx, double my, double mzTimesDepth, double power, double error,
+                     int sideOfHit) {
         if (count == entry.length) {
             grow();
         }
@@ -107,6 +123,7 @@ final class SphereObstacles {
         ahead[count] = mzTimesDepth;
         this.power[count] = power;
         doubt[count] = error;
+        side[count] = sideOfHit;
         count++;
     }
 
@@ -118,6 +135,7 @@ final class SphereObstacles {
         ahead = Arrays.copyOf(ahead, 2 * count);
         power = Arrays.copyOf(power, 2 * count);
         doubt = Arrays.copyOf(doubt, 2 * count);
+        side = Arrays.copyOf(side, 2 * count);
     }
 
     /** Adds the shadows of these spheres on the shaft's square. */
@@ -125,7 +143,7 @@ final class SphereObstacles {
         order.sort(number, count);
         for (int k = 0; k < count; k++) {
             int i = order.place(k);
-            shadow.add(shaft, across[i], up[i], ahead[i] / shaft.depth, spheres.radius(entry[i]),
+            shadow.add(shaft, number[i], across[i], up[i], ahead[i] / shaft.depth, spheres.radius(entry[i]),
                 transmittanceOf[number[i]]);
         }
     }
@@ -135,9 +153,15 @@ final class SphereObstacles {
         double squaredLength = x * x + y * y + shaft.depth * shaft.depth;
         for (int i = 0; i < count && !shaft.crossed.isDark(); i++) {
             double product = x * across[i] + y * up[i] + ahead[i];
-            double inside = product * product - power[i] * squaredLength;
-            boolean isCrossed = Math.abs(inside) > doubt[i]
-                ? inside > 0 && product > 0 : spheres.isCrossed(shaft, entry[i]);
+            boolean isCrossed;
+            if (side[i] == UNKNOWN) {
+                double inside = product * product - power[i] * squaredLength;
+                isCrossed = Math.abs(inside) > doubt[i] ? inside > 0 && product > 0 : spheres.isCrossed(shaft, entry[i]);
+            } else if (side[i] > 0) {
+                isCrossed = Math.abs(product) > doubt[i] ? product > 0 : spheres.isCrossed(shaft, entry[i]);
+            } else {
+                isCrossed = shaft.endsOutside(number[i]);
+            }
             if (isCrossed) {
                 shaft.crossed.add(number[i]);
             }

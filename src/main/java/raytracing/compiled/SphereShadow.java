@@ -14,13 +14,25 @@ final class SphereShadow {
         this.shadows = shadows;
     }
 
-    /** Adds the shadow of a sphere with centre m, in the shaft's coordinates, and radius r. */
-    void add(ShadowShaft shaft, double mx, double my, double mz, double r, double passing) {
+    /** Adds the shadow of a sphere with centre m, in the shaft's coordinates, and radius r, not that which was hit. */
+    void add(ShadowShaft shaft, int surface, double mx, double my, double mz, double r, double passing) {
         double slack = shaft.margin + 2 * ShadowShaft.ROUNDING * (Math.abs(mx) + Math.abs(my) + Math.abs(mz) + r);
         double distance = Math.sqrt(mx * mx + my * my + mz * mz);
         if (distance > r + slack) {
             addOutside(shaft, mx, my, mz, r, (distance - r) * (distance + r), passing);
         } else if (distance < r - slack) {
+            addAround(shaft, mx, my, mz, r, passing, 0, 0, 1);
+        } else {
+            addOnWall(shaft, shaft.sideOf(surface), mx, my, mz, r, passing);
+        }
+    }
+
+    /** From close to the wall: from outside everything behind it is hidden, from inside all that is not in the sphere. */
+    private void addOnWall(ShadowShaft shaft, int side, double mx, double my, double mz, double r, double passing) {
+        if (side > 0) {
+            shadows.beginFigure(passing);
+            shadows.addLine(mx, my, mz * shaft.depth);
+        } else if (side < 0) {
             addAround(shaft, mx, my, mz, r, passing, 0, 0, 1);
         } else {
             addAround(shaft, mx, my, mz, r, passing, mx, my, mz * shaft.depth);

@@ -1,5 +1,7 @@
 package raytracing.geometry;
 
+import java.util.Optional;
+import raytracing.math.Surd;
 import raytracing.math.Vector;
 
 /**
@@ -13,45 +15,96 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     /** Far above the 2 ulp of a distance along an axis. */
     private static final double ROUNDING = 0x1p-48;
 
-    private static final int X_ENTRY = 0;
-    private static final int Y_ENTRY = 1;
-    private static final int Z_ENTRY = 2;
-    private static final int X_EXIT = 3;
-    private static final int Y_EXIT = 4;
-    private static final int Z_EXIT = 5;
+    private static final int X = 0;
+    private static final int Y = 1;
+    private static final int Z = 2;
 
     @Override
-    public double firstCrossing(Ray ray, Departure departure) {
+    public Optional<Surd> crossing(Standpoint origin, int number, Vector direction) {
+        return origin.surface() == number && origin.side() == Departure.OUTWARD ? Optional.empty()
+            : ExactBox.of(this).firstCrossing(origin, number, direction);
+    }
+
+    @Override
+    public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
+        return !staysOut(start, end, endError) && !staysIn(start, end, endError) && ExactBox.of(this).isCrossedBetween(start, number, end, endError);
+    }
+
+    /** Whether a line to a lamp on a wall certainly stays before it: it starts in front of a face, and ends there or on its plane. */
+    private boolean staysOut(Standpoint start, Vector end, double endError) {
+        return staysOut(start.x(), start.error(), end.x(), endError, centre.x())
+            || staysOut(start.y(), start.error(), end.y(), endError, centre.y())
+            || staysOut(start.z(), start.error(), end.z(), endError, centre.z());
+    }
+
+    private boolean staysOut(double start, double startError, double end, double endError, double middle) {
+        double sign = Math.copySign(1, start - middle);
+        return BoxKernel.outside(start, sign, middle, edge / 2) > (1 + ROUNDING) * startError
+            && BoxKernel.outside(end, sign, middle, edge / 2) >= -(1 - ROUNDING) * endError;
+    }
+
+    /** Whether a line to a lamp on a wall certainly comes from within: it starts inside, and ends there or on the wall. */
+    private boolean staysIn(Standpoint start, Vector end, double endError) {
+        return staysIn(start.x(), start.error(), end.x(), endError, centre.x())
+            && staysIn(start.y(), start.error(), end.y(), endError, centre.y())
+            && staysIn(start.z(), start.error(), end.z(), endError, centre.z());
+    }
+
+    private boolean staysIn(double start, double startError, double end, double endError, double middle) {
+        double startOutside = Math.max(BoxKernel.outside(start, 1, middle, edge / 2), BoxKernel.outside(start, -1, middle, edge / 2));
+        double endOutside = Math.max(BoxKernel.outside(end, 1, middle, edge / 2), BoxKernel.outside(end, -1, middle, edge / 2));
+        return startOutside < -(1 + ROUNDING) * startError && endOutside <= (1 - ROUNDING) * endError;
+    }
+
+    @Override
+    public int side(Standpoint point, int number) {
+        return ExactBox.of(this).side(point, number);
+    }
+
+    /**
+     * How a point lies to the two faces across one axis.
+     *
+     * @param point the point
+     * @param number this surface's number in the scene
+     * @param axis 0 for x, 1 for y, 2 for z
+     * @return 1 beyond one of their planes, -1 between them, 0 on one of them and seen from a point of that plane
+     */
+    public int side(Standpoint point, int number, int axis) {
+        return ExactBox.of(this).side(point, number, axis);
+    }
+
+    @Override
+    public double quickCrossing(Ray ray, Departure departure) {
         Vector o = ray.origin();
         Vector d = ray.direction();
         return switch (departure) {
             case ELSEWHERE -> BoxKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
                 centre.x(), centre.y(), centre.z(), edge / 2);
-            case INWARD -> farWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            case INWARD -> BoxKernel.acrossFromInnerWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
+                centre.x(), centre.y(), centre.z(), edge / 2);
             case OUTWARD -> MISS;
         };
     }
 
     @Override
-    public double farWall(double ox, double oy, double oz, double dx, double dy, double dz) {
-        return BoxKernel.acrossFromInnerWall(ox, oy, oz, dx, dy, dz, centre.x(), centre.y(), centre.z(), edge / 2);
+    public double farWall(Standpoint origin, double dx, double dy, double dz) {
+        return BoxKernel.acrossFromInnerWall(origin.x(), origin.y(), origin.z(), dx, dy, dz, origin.error(),
+            centre.x(), centre.y(), centre.z(), edge / 2);
     }
 
     @Override
-    public boolean crosses(Segment segment, Departure departure) {
+    public Answer quicklyCrosses(Segment segment) {
         Vector p = segment.start();
         Vector q = segment.end();
-        return switch (departure) {
-            case ELSEWHERE -> BoxKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
-                q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), edge / 2);
-            case INWARD -> isLeftBefore(q.x(), q.y(), q.z(), segment.endError());
-            case OUTWARD -> false;
-        };
+        return BoxKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
+            q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), edge / 2);
     }
 
     @Override
     public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
-        return BoxKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), edge / 2);
+        Answer quick = BoxKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), edge / 2);
+        return quick == Answer.UNDECIDED ? ExactBox.of(this).side(new Vector(qx, qy, qz), endError) > 0
+            : quick == Answer.YES;
     }
 
     @Override
@@ -60,37 +113,98 @@ public record Box(Vector centre, double edge, int material) implements Surface {
         return furthest > (1 + ROUNDING) * (edge / 2 + r);
     }
 
-    /** The point is on the face to the last bit, and within its edges. */
+    /**
+     * The point is on the face to the last bit, and within its edges. On an edge it is a face through which the ray comes in,
+     * if there is one, and the first of x, y, z.
+     */
     @Override
-    public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+    public void describe(Standpoint origin, int number, double dx, double dy, double dz, double distance,
                          HitPoint found) {
-        int face = face(ox, oy, oz, dx, dy, dz, distance);
-        double nx = face == X_ENTRY ? -Math.copySign(1, dx) : face == X_EXIT ? Math.copySign(1, dx) : 0;
-        double ny = face == Y_ENTRY ? -Math.copySign(1, dy) : face == Y_EXIT ? Math.copySign(1, dy) : 0;
-        double nz = face == Z_ENTRY ? -Math.copySign(1, dz) : face == Z_EXIT ? Math.copySign(1, dz) : 0;
-        double error = PointError.ofCrossing(Vector.largestPart(ox, oy, oz) + distance * Vector.largestPart(dx, dy, dz));
-        found.place(onFace(ox + distance * dx, centre.x(), nx), onFace(oy + distance * dy, centre.y(), ny),
-            onFace(oz + distance * dz, centre.z(), nz), error);
-        found.turn(nx, ny, nz, dx, dy, dz);
+        boolean isSeenFromInside = isInside(origin, number);
+        double towards = isSeenFromInside ? edge / 2 : -edge / 2;
+        int faces = facesAt(origin, dx, dy, dz, distance, towards, ROUNDING * distance);
+        int axis = Integer.numberOfTrailingZeros(Integer.bitCount(faces) == 1 && distance > 0 ? faces
+            : ExactBox.of(this).axesCrossed(origin, number, new Vector(dx, dy, dz)));
+        describe(origin, number, dx, dy, dz, distance, axis, isSeenFromInside ? Departure.INWARD : Departure.OUTWARD, found);
     }
 
     /**
-     * The face that the ray passes at that distance. On an edge it is a face through which the ray comes in, if there
-     * is one, and the first of x, y, z.
+     * The faces on which a point of this box lies, as far as it is known, through which a line from there goes in, and before
+     * which it was seen from.
+     *
+     * @param point the point
+     * @param dx where the line goes, x part
+     * @param dy y part
+     * @param dz z part
+     * @return a bit 1 &lt;&lt; axis for each face, with axis 0 for x, 1 for y, 2 for z; none if the point is not on this box
      */
-    private int face(double ox, double oy, double oz, double dx, double dy, double dz, double distance) {
-        double half = edge / 2;
-        double enterX = off(ox, dx, centre.x(), -half, distance);
-        double enterY = off(oy, dy, centre.y(), -half, distance);
-        double enterZ = off(oz, dz, centre.z(), -half, distance);
-        double leaveX = off(ox, dx, centre.x(), half, distance);
-        double leaveY = off(oy, dy, centre.y(), half, distance);
-        double leaveZ = off(oz, dz, centre.z(), half, distance);
-        double leave = Math.min(leaveX, Math.min(leaveY, leaveZ));
-        if (Math.min(enterX, Math.min(enterY, enterZ)) <= leave) {
-            return enterX <= enterY && enterX <= enterZ ? X_ENTRY : enterY <= enterZ ? Y_ENTRY : Z_ENTRY;
+    public int facesEntered(HitPoint point, double dx, double dy, double dz) {
+        double x = wayToMiddle(point.x(), dx, centre.x());
+        double y = wayToMiddle(point.y(), dy, centre.y());
+        double z = wayToMiddle(point.z(), dz, centre.z());
+        if (Vector.largestPart(x, y, z) > edge / 2 + point.error()) {
+            return 0;
         }
-        return leaveX <= leaveY && leaveX <= leaveZ ? X_EXIT : leaveY <= leaveZ ? Y_EXIT : Z_EXIT;
+        Standpoint place = point.place();
+        Vector from = place.seenFrom();
+        return (isEntered(x, wayToMiddle(from.x(), dx, centre.x()), place) ? 1 << X : 0)
+            | (isEntered(y, wayToMiddle(from.y(), dy, centre.y()), place) ? 1 << Y : 0)
+            | (isEntered(z, wayToMiddle(from.z(), dz, centre.z()), place) ? 1 << Z : 0);
+    }
+
+    /** Whether a point is on the near face, seen from before it. */
+    private boolean isEntered(double way, double wayFromAfar, Standpoint point) {
+        return way >= edge / 2 - point.error() && wayFromAfar > edge / 2 + point.seenFromError();
+    }
+
+    private static double wayToMiddle(double point, double direction, double middle) {
+        return Math.copySign(1, direction) * (middle - point);
+    }
+
+    private int facesAt(Standpoint origin, double dx, double dy, double dz, double distance, double towards,
+                        double tolerance) {
+        return (off(origin.x(), dx, centre.x(), towards, distance) <= tolerance ? 1 << X : 0)
+            | (off(origin.y(), dy, centre.y(), towards, distance) <= tolerance ? 1 << Y : 0)
+            | (off(origin.z(), dz, centre.z(), towards, distance) <= tolerance ? 1 << Z : 0);
+    }
+
+    /**
+     * Everything about a crossing with one of the faces, as {@link #describe} gives it.
+     *
+     * @param origin where the ray starts
+     * @param number this surface's number in the scene
+     * @param dx the ray's direction, x part
+     * @param dy y part
+     * @param dz z part
+     * @param distance the crossing
+     * @param axis of the face: 0 for x, 1 for y, 2 for z
+     * @param seenFrom the side from which the ray comes: outward or inward
+     * @param found takes the point, its error, the normal towards the ray's origin, and how it was reached
+     */
+    public void describe(Standpoint origin, int number, double dx, double dy, double dz, double distance, int axis,
+                         Departure seenFrom, HitPoint found) {
+        double outwards = seenFrom == Departure.INWARD ? 1 : -1;
+        double nx = axis == X ? Math.copySign(1, outwards * dx) : 0;
+        double ny = axis == Y ? Math.copySign(1, outwards * dy) : 0;
+        double nz = axis == Z ? Math.copySign(1, outwards * dz) : 0;
+        if (distance == 0) {
+            found.placeAt(origin);
+        } else {
+            found.placeAlong(origin, distance * Vector.largestPart(dx, dy, dz),
+                onFace(origin.x() + distance * dx, centre.x(), nx), onFace(origin.y() + distance * dy, centre.y(), ny),
+                onFace(origin.z() + distance * dz, centre.z(), nz));
+        }
+        found.reach(nx, ny, nz, seenFrom, number, origin);
+    }
+
+    /** Whether a ray that meets the walls does so from inside; one that starts on them meets them on the far side. */
+    private boolean isInside(Standpoint origin, int number) {
+        if (origin.surface() == number) {
+            return origin.side() == Departure.INWARD;
+        }
+        Answer isOutside = BoxKernel.isOutside(origin.x(), origin.y(), origin.z(), origin.error(),
+            centre.x(), centre.y(), centre.z(), edge / 2);
+        return isOutside == Answer.UNDECIDED ? side(origin, number) <= 0 : isOutside == Answer.NO;
     }
 
     /** How far from this distance the ray passes a face's plane: 0 for the face that it meets there. */

@@ -7,48 +7,76 @@ import raytracing.math.Vector;
  * The kernels write, everybody else reads. One thread.
  */
 public final class HitPoint {
-    private double x;
-    private double y;
-    private double z;
-    private double error;
+    /** Far above the rounding of a unit normal and of a dot product with it. */
+    private static final double ROUNDING = 0x1p-44;
+
+    private final Standpoint place = new Standpoint();
     private double normalX;
     private double normalY;
     private double normalZ;
-    private Departure side = Departure.ELSEWHERE;
 
-    /**
-     * The point, rounded, on the surface as nearly as doubles allow. Beyond them all, where a ray nearly along a plane may
-     * meet it, lies the outermost point there is: so rays from there start at a number.
-     */
-    void place(double pointX, double pointY, double pointZ, double pointError) {
-        x = pointX;
-        y = pointY;
-        z = pointZ;
-        error = pointError;
-        if (!(Math.abs(x) + Math.abs(y) + Math.abs(z) + error < Double.POSITIVE_INFINITY)) {
-            x = finite(x);
-            y = finite(y);
-            z = finite(z);
-            error = finite(error);
-        }
+    /** How far the point is from the ray's origin, in largest parts. */
+    private double way;
+
+    /** Nothing met yet. */
+    public HitPoint() {
     }
 
-    private static double finite(double number) {
-        return Math.max(-Double.MAX_VALUE, Math.min(Double.MAX_VALUE, number));
+    /**
+     * Takes a point that is off by a crossing's error.
+     *
+     * @param origin where the ray starts
+     * @param pathLength how far the ray goes from there, in largest parts
+     */
+    void placeAlong(Standpoint origin, double pathLength, double x, double y, double z) {
+        way = pathLength;
+        place.place(x, y, z, PointError.ofCrossing(Vector.largestPart(origin.x(), origin.y(), origin.z()) + way));
+    }
+
+    /** Takes the ray's own origin, of a surface that it meets at once. */
+    void placeAt(Standpoint origin) {
+        way = 0;
+        place.place(origin.x(), origin.y(), origin.z(), origin.error());
+    }
+
+    /** Whether the direction's component along a unit normal has a sign beyond rounding. */
+    static boolean isClear(double along, double dx, double dy, double dz) {
+        return Math.abs(along) > ROUNDING * Vector.largestPart(dx, dy, dz);
+    }
+
+    /** Turns a unit normal that points out of the body towards where the ray comes from, and notes where that is. */
+    void reach(double outwardX, double outwardY, double outwardZ, Departure side, int surface, Standpoint origin) {
+        boolean isSeenFromInside = side == Departure.INWARD;
+        normalX = isSeenFromInside ? -outwardX : outwardX;
+        normalY = isSeenFromInside ? -outwardY : outwardY;
+        normalZ = isSeenFromInside ? -outwardZ : outwardZ;
+        place.reach(surface, side, origin, way);
+    }
+
+    /**
+     * Whether the normal is that of one of some faces of a box.
+     *
+     * @param faces a bit 1 &lt;&lt; axis for each, with axis 0 for x, 1 for y, 2 for z
+     * @return true if the normal runs along one of the axes named
+     */
+    public boolean isOnFace(int faces) {
+        int axis = normalX != 0 ? 0 : normalY != 0 ? 1 : 2;
+        return (faces & 1 << axis) != 0;
     }
 
     /** Brings back to size what was described at a fraction of it. */
-    void enlarge(double factor) {
-        place(factor * x, factor * y, factor * z, factor * error);
+    void enlarge(double factor, Standpoint origin) {
+        place.place(factor * x(), factor * y(), factor * z(), factor * error());
+        place.reach(surface(), side(), origin, factor * way);
     }
 
-    /** A unit normal that points out of the body, turned towards where the ray comes from. */
-    void turn(double outwardX, double outwardY, double outwardZ, double dx, double dy, double dz) {
-        boolean fromInside = outwardX * dx + outwardY * dy + outwardZ * dz > 0;
-        normalX = fromInside ? -outwardX : outwardX;
-        normalY = fromInside ? -outwardY : outwardY;
-        normalZ = fromInside ? -outwardZ : outwardZ;
-        side = fromInside ? Departure.INWARD : Departure.OUTWARD;
+    /**
+     * Where rays and lines from here start.
+     *
+     * @return the point, and what is known of the surfaces that it touches; overwritten by the next hit
+     */
+    public Standpoint place() {
+        return place;
     }
 
     /**
@@ -57,7 +85,7 @@ public final class HitPoint {
      * @return x part, world axes
      */
     public double x() {
-        return x;
+        return place.x();
     }
 
     /**
@@ -66,7 +94,7 @@ public final class HitPoint {
      * @return y part
      */
     public double y() {
-        return y;
+        return place.y();
     }
 
     /**
@@ -75,7 +103,7 @@ public final class HitPoint {
      * @return z part
      */
     public double z() {
-        return z;
+        return place.z();
     }
 
     /**
@@ -84,7 +112,16 @@ public final class HitPoint {
      * @return bound for each part, in scene units
      */
     public double error() {
-        return error;
+        return place.error();
+    }
+
+    /**
+     * The surface that was met.
+     *
+     * @return its number, counted from 0 in the order of the scene
+     */
+    public int surface() {
+        return place.surface();
     }
 
     /**
@@ -120,7 +157,7 @@ public final class HitPoint {
      * @return {@link Departure#OUTWARD} or {@link Departure#INWARD}
      */
     public Departure side() {
-        return side;
+        return place.side();
     }
 
     /**
@@ -144,20 +181,19 @@ public final class HitPoint {
      * @return into the body, or out of it or along its wall
      */
     public Departure departureTowards(double dx, double dy, double dz) {
-        return Departure.towards(side, alongNormal(dx, dy, dz));
+        return Departure.towards(side(), alongNormal(dx, dy, dz));
     }
 
     /**
-     * Takes the numbers of a hit.
+     * Takes the numbers of a hit, without where it was seen from.
      *
      * @param hit any hit
      */
     public void take(Hit hit) {
-        place(hit.point().x(), hit.point().y(), hit.point().z(), hit.pointError());
+        place.start(hit.point().x(), hit.point().y(), hit.point().z(), hit.pointError(), hit.surface(), hit.side());
         normalX = hit.normal().x();
         normalY = hit.normal().y();
         normalZ = hit.normal().z();
-        side = hit.side();
     }
 
     /**
@@ -166,23 +202,22 @@ public final class HitPoint {
      * @param other any hit
      */
     public void take(HitPoint other) {
-        place(other.x, other.y, other.z, other.error);
+        place.take(other.place);
         normalX = other.normalX;
         normalY = other.normalY;
         normalZ = other.normalZ;
-        side = other.side;
+        way = other.way;
     }
 
     /**
      * These numbers as a value that stays.
      *
-     * @param surface number of the surface that was met, counted from 0 in the order of the scene
      * @param material number of its material, counted from 0
      * @param distance the crossing, in multiples of the ray's direction
      * @return the hit
      */
-    public Hit toHit(int surface, int material, double distance) {
-        return new Hit(surface, material, distance, new Vector(x, y, z), error,
-            new Vector(normalX, normalY, normalZ), side);
+    public Hit toHit(int material, double distance) {
+        return new Hit(surface(), material, distance, place.point(), error(), new Vector(normalX, normalY, normalZ),
+            side());
     }
 }

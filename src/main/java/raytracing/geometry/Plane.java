@@ -1,6 +1,7 @@
 package raytracing.geometry;
 
-import raytracing.math.AxisOrder;
+import java.util.Optional;
+import raytracing.math.Surd;
 import raytracing.math.Vector;
 
 /**
@@ -13,23 +14,38 @@ import raytracing.math.Vector;
  */
 public record Plane(Vector normal, double offset, int material) implements Surface {
     @Override
-    public double firstCrossing(Ray ray, Departure departure) {
-        if (departure != Departure.ELSEWHERE) {
-            return MISS;                     // a straight line leaves a plane once
-        }
-        AxisOrder order = AxisOrder.of(ray.direction().x(), ray.direction().y(), ray.direction().z());
-        Vector o = order.sorted(ray.origin());
-        Vector d = order.sorted(ray.direction());
-        Vector n = order.sorted(normal);
-        return PlaneKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
-            n.x(), n.y(), n.z(), offset);
+    public Optional<Surd> crossing(Standpoint origin, int number, Vector direction) {
+        return origin.surface() == number ? Optional.empty()
+            : ExactPlane.of(this).firstCrossing(origin, number, direction);
     }
 
     @Override
-    public boolean crosses(Segment segment, Departure departure) {
-        if (departure != Departure.ELSEWHERE) {
-            return false;
+    public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
+        if (PlaneKernel.isOn(end.x(), end.y(), end.z(), endError, normal.x(), normal.y(), normal.z(), offset)) {
+            return false;                    // a lamp on a wall, which many lines lead to
         }
+        ExactPlane exact = ExactPlane.of(this);
+        return exact.side(start, number) * exact.side(end, endError) < 0;
+    }
+
+    @Override
+    public int side(Standpoint point, int number) {
+        return ExactPlane.of(this).side(point, number);
+    }
+
+    @Override
+    public double quickCrossing(Ray ray, Departure departure) {
+        if (departure != Departure.ELSEWHERE) {
+            return MISS;                     // a straight line leaves a plane once
+        }
+        Vector o = ray.origin();
+        Vector d = ray.direction();
+        return PlaneKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
+            normal.x(), normal.y(), normal.z(), offset);
+    }
+
+    @Override
+    public Answer quicklyCrosses(Segment segment) {
         Vector p = segment.start();
         Vector q = segment.end();
         return PlaneKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
@@ -37,7 +53,7 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
     }
 
     @Override
-    public double farWall(double ox, double oy, double oz, double dx, double dy, double dz) {
+    public double farWall(Standpoint origin, double dx, double dy, double dz) {
         return MISS;
     }
 
@@ -53,21 +69,27 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
 
     /** The point along the ray, dropped onto the plane: from far away, rounding leaves it beside. */
     @Override
-    public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+    public void describe(Standpoint origin, int number, double dx, double dy, double dz, double distance,
                          HitPoint found) {
-        double x = ox + distance * dx;
-        double y = oy + distance * dy;
-        double z = oz + distance * dz;
         double scale = Vector.safeScale(normal.x(), normal.y(), normal.z());
         double factor = Vector.unitFactor(scale * normal.x(), scale * normal.y(), scale * normal.z());
         double nx = scale * normal.x() * factor;
         double ny = scale * normal.y() * factor;
         double nz = scale * normal.z() * factor;
-        double gap = (offset - (normal.x() * x + normal.y() * y + normal.z() * z)) / normal.length();
-        double drop = Math.abs(gap) < MISS ? gap : 0;
-        double error = PointError.ofCrossing(Vector.largestPart(ox, oy, oz) + distance * Vector.largestPart(dx, dy, dz));
-        found.place(x + drop * nx, y + drop * ny, z + drop * nz, error);
-        found.turn(nx, ny, nz, dx, dy, dz);
+        if (distance > 0) {
+            double x = origin.x() + distance * dx;
+            double y = origin.y() + distance * dy;
+            double z = origin.z() + distance * dz;
+            double gap = (offset - (normal.x() * x + normal.y() * y + normal.z() * z)) / normal.length();
+            double drop = Math.abs(gap) < MISS ? gap : 0;
+            found.placeAlong(origin, distance * Vector.largestPart(dx, dy, dz),
+                x + drop * nx, y + drop * ny, z + drop * nz);
+        } else {
+            found.placeAt(origin);
+        }
+        double along = nx * dx + ny * dy + nz * dz;
+        boolean isSeenFromBelow = distance > 0 && HitPoint.isClear(along, dx, dy, dz) ? along > 0 : side(origin, number) < 0;
+        found.reach(nx, ny, nz, isSeenFromBelow ? Departure.INWARD : Departure.OUTWARD, number, origin);
     }
 
     @Override

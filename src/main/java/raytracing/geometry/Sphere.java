@@ -1,6 +1,7 @@
 package raytracing.geometry;
 
-import raytracing.math.AxisOrder;
+import java.util.Optional;
+import raytracing.math.Surd;
 import raytracing.math.Vector;
 
 /**
@@ -18,44 +19,70 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     private static final double FRACTION = 0x1p-4;
 
     @Override
-    public double firstCrossing(Ray ray, Departure departure) {
+    public Optional<Surd> crossing(Standpoint origin, int number, Vector direction) {
+        return origin.surface() == number && origin.side() == Departure.OUTWARD ? Optional.empty()
+            : ExactSphere.of(this).firstCrossing(origin, number, direction);
+    }
+
+    @Override
+    public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
+        Answer quick = isCrossedToWall(start, end, endError);
+        return quick != Answer.UNDECIDED ? quick == Answer.YES : ExactSphere.of(this).isCrossedBetween(start, number, end, endError);
+    }
+
+    /** For a lamp on the wall, which many lines lead to: from inside no line crosses it, from outside those through the ball do. */
+    private Answer isCrossedToWall(Standpoint start, Vector end, double endError) {
+        Answer startsOutside = SphereKernel.isOutside(start.x(), start.y(), start.z(), start.error(),
+            centre.x(), centre.y(), centre.z(), radius);
+        if (startsOutside == Answer.UNDECIDED || !SphereKernel.isOn(end.x(), end.y(), end.z(), endError,
+                centre.x(), centre.y(), centre.z(), radius)) {
+            return Answer.UNDECIDED;
+        }
+        Vector fromCentre = end.minus(centre);
+        Vector line = end.minus(start.point());
+        double outwards = fromCentre.dot(line);
+        double doubt = ROUNDING * fromCentre.length() * line.length();
+        boolean isClear = Math.abs(outwards) > doubt && doubt > Double.MIN_NORMAL;
+        return startsOutside == Answer.NO || isClear && outwards < 0 ? Answer.NO : isClear ? Answer.YES : Answer.UNDECIDED;
+    }
+
+    @Override
+    public int side(Standpoint point, int number) {
+        return ExactSphere.of(this).side(point, number);
+    }
+
+    @Override
+    public double quickCrossing(Ray ray, Departure departure) {
+        Vector o = ray.origin();
+        Vector d = ray.direction();
         return switch (departure) {
-            case ELSEWHERE -> firstCrossing(ray);
-            case INWARD -> farWall(ray.origin().x(), ray.origin().y(), ray.origin().z(),
-                ray.direction().x(), ray.direction().y(), ray.direction().z());
+            case ELSEWHERE -> SphereKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
+                centre.x(), centre.y(), centre.z(), radius);
+            case INWARD -> SphereKernel.acrossFromInnerWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(),
+                centre.x(), centre.y(), centre.z());
             case OUTWARD -> MISS;
         };
     }
 
     @Override
-    public double farWall(double ox, double oy, double oz, double dx, double dy, double dz) {
-        return SphereKernel.acrossFromInnerWall(ox, oy, oz, dx, dy, dz, centre.x(), centre.y(), centre.z());
-    }
-
-    private double firstCrossing(Ray ray) {
-        AxisOrder order = AxisOrder.of(ray.direction().x(), ray.direction().y(), ray.direction().z());
-        Vector o = order.sorted(ray.origin());
-        Vector d = order.sorted(ray.direction());
-        Vector c = order.sorted(centre);
-        return SphereKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
-            c.x(), c.y(), c.z(), radius);
+    public double farWall(Standpoint origin, double dx, double dy, double dz) {
+        return SphereKernel.acrossFromInnerWall(origin.x(), origin.y(), origin.z(), dx, dy, dz,
+            centre.x(), centre.y(), centre.z());
     }
 
     @Override
-    public boolean crosses(Segment segment, Departure departure) {
+    public Answer quicklyCrosses(Segment segment) {
         Vector p = segment.start();
         Vector q = segment.end();
-        return switch (departure) {
-            case ELSEWHERE -> SphereKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
-                q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), radius);
-            case INWARD -> isLeftBefore(q.x(), q.y(), q.z(), segment.endError());
-            case OUTWARD -> false;
-        };
+        return SphereKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
+            q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), radius);
     }
 
     @Override
     public boolean isLeftBefore(double qx, double qy, double qz, double endError) {
-        return SphereKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), radius);
+        Answer quick = SphereKernel.isOutside(qx, qy, qz, endError, centre.x(), centre.y(), centre.z(), radius);
+        return quick == Answer.UNDECIDED ? ExactSphere.of(this).side(new Vector(qx, qy, qz), endError) > 0
+            : quick == Answer.YES;
     }
 
     @Override
@@ -70,13 +97,13 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
      * less is rounded.
      */
     @Override
-    public void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+    public void describe(Standpoint origin, int number, double dx, double dy, double dz, double distance,
                          HitPoint found) {
-        double fx = ox - centre.x() + distance * dx;
-        double fy = oy - centre.y() + distance * dy;
-        double fz = oz - centre.z() + distance * dz;
+        double fx = origin.x() - centre.x() + distance * dx;
+        double fy = origin.y() - centre.y() + distance * dy;
+        double fz = origin.z() - centre.z() + distance * dz;
         if (!(Math.abs(fx) + Math.abs(fy) + Math.abs(fz) < MISS)) {
-            describeAtAFraction(ox, oy, oz, dx, dy, dz, distance, found);
+            describeAtAFraction(origin, number, dx, dy, dz, distance, found);
             return;
         }
         boolean isNearest = fx == 0 && fy == 0 && fz == 0;
@@ -88,23 +115,34 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
         double nx = scale * gx * factor;
         double ny = scale * gy * factor;
         double nz = scale * gz * factor;
-        double fromCentre = centre.largestPart() + radius;
-        double alongRay = Vector.largestPart(ox, oy, oz) + distance * Vector.largestPart(dx, dy, dz);
-        double error = PointError.ofCrossing(alongRay);
-        if (fromCentre < alongRay) {
-            found.place(centre.x() + radius * nx, centre.y() + radius * ny, centre.z() + radius * nz, error);
+        placeAlong(origin, dx, dy, dz, distance, nx, ny, nz, found);
+        double along = nx * dx + ny * dy + nz * dz;
+        boolean isSeenFromInside = distance > 0 && HitPoint.isClear(along, dx, dy, dz) ? along > 0
+            : side(origin, number) <= 0;
+        found.reach(nx, ny, nz, isSeenFromInside ? Departure.INWARD : Departure.OUTWARD, number, origin);
+    }
+
+    private void placeAlong(Standpoint origin, double dx, double dy, double dz, double distance,
+                            double nx, double ny, double nz, HitPoint found) {
+        double way = distance * Vector.largestPart(dx, dy, dz);
+        if (distance == 0) {
+            found.placeAt(origin);
+        } else if (centre.largestPart() + radius < Vector.largestPart(origin.x(), origin.y(), origin.z()) + way) {
+            found.placeAlong(origin, way, centre.x() + radius * nx, centre.y() + radius * ny, centre.z() + radius * nz);
         } else {
-            found.place(ox + distance * dx, oy + distance * dy, oz + distance * dz, error);
+            found.placeAlong(origin, way, origin.x() + distance * dx, origin.y() + distance * dy, origin.z() + distance * dz);
         }
-        found.turn(nx, ny, nz, dx, dy, dz);
     }
 
     /** The same for sums beyond all doubles, which are within them in a world a sixteenth as large. */
-    private void describeAtAFraction(double ox, double oy, double oz, double dx, double dy, double dz, double distance,
+    private void describeAtAFraction(Standpoint origin, int number, double dx, double dy, double dz, double distance,
                                      HitPoint found) {
-        new Sphere(centre.times(FRACTION), FRACTION * radius, material).describe(
-            FRACTION * ox, FRACTION * oy, FRACTION * oz, dx, dy, dz, FRACTION * distance, found);
-        found.enlarge(1 / FRACTION);
+        Standpoint nearer = new Standpoint();
+        nearer.start(FRACTION * origin.x(), FRACTION * origin.y(), FRACTION * origin.z(), FRACTION * origin.error(),
+            origin.surface(), origin.side());
+        new Sphere(centre.times(FRACTION), FRACTION * radius, material).describe(nearer, number, dx, dy, dz,
+            FRACTION * distance, found);
+        found.enlarge(1 / FRACTION, origin);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package raytracing.geometry;
 
+import java.util.Optional;
+import raytracing.math.Surd;
 import raytracing.math.Vector;
 
 /**
@@ -10,6 +12,9 @@ public sealed interface Surface permits Sphere, Plane, Box {
     /** "No crossing": beyond every distance, so that comparing distances needs no special case. */
     double MISS = Double.POSITIVE_INFINITY;
 
+    /** "Doubles cannot tell": no number, so that every comparison with a distance is false. */
+    double UNDECIDED = Double.NaN;
+
     /**
      * Number of the surface's material.
      *
@@ -18,35 +23,64 @@ public sealed interface Surface permits Sphere, Plane, Box {
     int material();
 
     /**
-     * Where a ray first meets this surface. A ray that starts inside a body meets its wall from inside.
+     * Where a ray first meets this surface, exactly. A ray that starts inside a body meets its wall from inside; one that
+     * starts on the surface, and heads to the other side than that from which its start was seen, meets it at once.
+     *
+     * @param origin where the ray starts
+     * @param number this surface's number in the scene
+     * @param direction where the ray goes; any length but 0
+     * @return smallest t of at least 0 with origin + t direction on the surface, if there is one
+     */
+    Optional<Surd> crossing(Standpoint origin, int number, Vector direction);
+
+    /**
+     * Whether this surface lies in the way between two points, decided exactly.
+     *
+     * @param start one end of the line, not on this surface by its number
+     * @param number this surface's number in the scene
+     * @param end the other end
+     * @param endError how far each part of it may be off; within that of the surface, it lies on it
+     * @return true if the open line enters or leaves the surface
+     */
+    boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError);
+
+    /**
+     * On which side of this surface a point lies, decided exactly.
+     *
+     * @param point the point
+     * @param number this surface's number in the scene
+     * @return 1 outside a body or where a plane's normal points, -1 inside or on the plane's other side; 0 if the point
+     *         is on the surface as far as it is known, and nothing tells from which side it was seen
+     */
+    int side(Standpoint point, int number);
+
+    /**
+     * Where a ray first meets this surface, in doubles.
      *
      * @param ray the ray, its direction of any length but 0
      * @param departure how the ray's origin lies to this surface
-     * @return smallest t above 0 with origin + t direction on the surface, or {@link #MISS}; never NaN
+     * @return smallest t above 0 with origin + t direction on the surface, {@link #MISS}, or {@link #UNDECIDED}
      */
-    double firstCrossing(Ray ray, Departure departure);
+    double quickCrossing(Ray ray, Departure departure);
 
     /**
-     * Whether this surface lies in the way between two points.
+     * Whether this surface lies in the way between two points, in doubles.
      *
      * @param segment the open line between them
-     * @param departure how the line's start lies to this surface
-     * @return true if the line enters or leaves the surface strictly between its ends; the same from either end
+     * @return whether the line enters or leaves the surface strictly between its ends; the same from either end
      */
-    boolean crosses(Segment segment, Departure departure);
+    Answer quicklyCrosses(Segment segment);
 
     /**
      * Where a ray meets this surface that starts on it and goes inwards.
      *
-     * @param ox origin, x part
-     * @param oy y part
-     * @param oz z part
+     * @param origin where it starts
      * @param dx direction, x part; not all three 0
      * @param dy y part
      * @param dz z part
-     * @return crossing of the far wall, above 0, or {@link #MISS}; a plane has none
+     * @return crossing of the far wall, above 0, {@link #MISS}, which is what a plane has, or {@link #UNDECIDED}
      */
-    double farWall(double ox, double oy, double oz, double dx, double dy, double dz);
+    double farWall(Standpoint origin, double dx, double dy, double dz);
 
     /**
      * Whether a straight line that starts on this surface and goes inwards leaves the body before it ends.
@@ -72,18 +106,17 @@ public sealed interface Surface permits Sphere, Plane, Box {
 
     /**
      * Everything about a crossing that shading wants to know. The point is at origin + distance direction or nearer to the
-     * surface than that.
+     * surface than that; at distance 0 it is the origin itself.
      *
-     * @param ox the ray's origin, x part
-     * @param oy y part
-     * @param oz z part
-     * @param dx its direction, x part
+     * @param origin where the ray starts
+     * @param number this surface's number in the scene
+     * @param dx the ray's direction, x part
      * @param dy y part
      * @param dz z part
-     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
-     * @param found takes the point, its error, the normal towards the ray's origin, and the side
+     * @param distance the crossing, not {@link #MISS}
+     * @param found takes the point, its error, the normal towards the ray's origin, and how it was reached
      */
-    void describe(double ox, double oy, double oz, double dx, double dy, double dz, double distance, HitPoint found);
+    void describe(Standpoint origin, int number, double dx, double dy, double dz, double distance, HitPoint found);
 
     /**
      * Presents this surface to a receiver that has one method for every kind.
@@ -117,6 +150,62 @@ public sealed interface Surface permits Sphere, Plane, Box {
     }
 
     /**
+     * Where a ray first meets this surface. A ray that starts inside a body meets its wall from inside.
+     *
+     * @param ray the ray, its direction of any length but 0
+     * @param departure how the ray's origin lies to this surface
+     * @return smallest t above 0 with origin + t direction on the surface, or {@link #MISS}; never NaN
+     */
+    default double firstCrossing(Ray ray, Departure departure) {
+        double quick = quickCrossing(ray, departure);
+        if (!Double.isNaN(quick)) {
+            return quick;
+        }
+        int number = departure == Departure.ELSEWHERE ? ray.surfaceLeft() + 1 : ray.surfaceLeft();
+        Standpoint origin = new Standpoint();
+        Vector o = ray.origin();
+        origin.start(o.x(), o.y(), o.z(), ray.originError(), ray.surfaceLeft(), departure);
+        return distance(crossing(origin, number, ray.direction()));
+    }
+
+    /**
+     * An exact crossing as a double.
+     *
+     * @param crossing of at least 0, if there is one
+     * @return the nearest double; above 0, the nearest that is above 0 and finite; {@link #MISS} if there is none
+     */
+    static double distance(Optional<Surd> crossing) {
+        if (crossing.isEmpty()) {
+            return MISS;
+        }
+        Surd exact = crossing.get();
+        return exact.signum() == 0 ? 0
+            : Math.max(Double.MIN_VALUE, Math.min(Double.MAX_VALUE, exact.doubleValue()));
+    }
+
+    /**
+     * Whether this surface lies in the way between two points.
+     *
+     * @param segment the open line between them
+     * @param departure how the line's start lies to this surface
+     * @return true if the line enters or leaves the surface strictly between its ends; the same from either end
+     */
+    default boolean crosses(Segment segment, Departure departure) {
+        Vector p = segment.start();
+        Vector q = segment.end();
+        if (departure != Departure.ELSEWHERE) {
+            return departure == Departure.INWARD && isLeftBefore(q.x(), q.y(), q.z(), segment.endError());
+        }
+        Answer quick = quicklyCrosses(segment);
+        if (quick != Answer.UNDECIDED) {
+            return quick == Answer.YES;
+        }
+        Standpoint start = new Standpoint();
+        start.start(p.x(), p.y(), p.z(), segment.startError(), Ray.NO_SURFACE, Departure.ELSEWHERE);
+        return isCrossedBetween(start, 0, q, segment.endError());
+    }
+
+    /**
      * A crossing as a value.
      *
      * @param ray the ray
@@ -127,8 +216,10 @@ public sealed interface Surface permits Sphere, Plane, Box {
     default Hit hit(Ray ray, double distance, int number) {
         Vector o = ray.origin();
         Vector d = ray.direction();
+        Standpoint origin = new Standpoint();
+        origin.start(o.x(), o.y(), o.z(), ray.originError(), ray.surfaceLeft(), ray.departure());
         HitPoint found = new HitPoint();
-        describe(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance, found);
-        return found.toHit(number, material(), distance);
+        describe(origin, number, d.x(), d.y(), d.z(), distance, found);
+        return found.toHit(material(), distance);
     }
 }

@@ -28,8 +28,21 @@ public final class CompensatedSum {
         double xyz = xy + z;
         double sum = s + xyz;
         double productErrors = Math.fma(ax, bx, -x) + Math.fma(ay, by, -y) + Math.fma(az, bz, -z);
-        double sumErrors = DoubleDouble.errorOfSum(x, y, xy) + DoubleDouble.errorOfSum(xy, z, xyz)
-            + DoubleDouble.errorOfSum(s, xyz, sum);
+        double sumErrors = errorOfSum(x, y, xy) + errorOfSum(xy, z, xyz)
+            + errorOfSum(s, xyz, sum);
         return sum + (productErrors + sumErrors);
+    }
+
+    /**
+     * What rounding took from a sum of two doubles, exactly (Knuth's TwoSum).
+     *
+     * @param a summand
+     * @param b summand
+     * @param sum a + b as a double
+     * @return the real number a + b - sum
+     */
+    public static double errorOfSum(double a, double b, double sum) {
+        double partOfB = sum - a;
+        return (a - (sum - partOfB)) + (b - partOfB);
     }
 }

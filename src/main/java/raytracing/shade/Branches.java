@@ -2,8 +2,7 @@ package raytracing.shade;
 
 import java.util.Arrays;
 import raytracing.compiled.RayWalk;
-import raytracing.geometry.Departure;
-import raytracing.geometry.HitPoint;
+import raytracing.geometry.Standpoint;
 
 /**
  * The mirrored rays of one pixel that still have to be followed, the one with the greatest weight first. One thread, pixel
@@ -15,19 +14,28 @@ import raytracing.geometry.HitPoint;
  * what is left out is what weighs least.
  */
 final class Branches {
-    /** Numbers of one ray: origin, its error, direction, weight. */
-    private static final int STRIDE = 10;
+    /** Numbers of one ray: direction, weight. */
+    private static final int STRIDE = 6;
 
-    private double[] numbers = new double[8 * STRIDE];
-    private int[] surface = new int[8];
-    private Departure[] side = new Departure[8];
-    private int[] reflections = new int[8];
-    private long[] key = new long[8];
-    private double[] heaviest = new double[8];
-    private int[] heap = new int[8];
+    private static final int FIRST_SIZE = 8;
+
+    private Standpoint[] origins = origins(FIRST_SIZE);
+    private double[] numbers = new double[FIRST_SIZE * STRIDE];
+    private int[] reflections = new int[FIRST_SIZE];
+    private long[] key = new long[FIRST_SIZE];
+    private double[] heaviest = new double[FIRST_SIZE];
+    private int[] heap = new int[FIRST_SIZE];
     private int waiting;
     private int added;
     private int taken;
+
+    private static Standpoint[] origins(int count) {
+        Standpoint[] origins = new Standpoint[count];
+        for (int i = 0; i < count; i++) {
+            origins[i] = new Standpoint();
+        }
+        return origins;
+    }
 
     /** For a new pixel. */
     void clear() {
@@ -38,8 +46,7 @@ final class Branches {
     /**
      * Adds a ray that leaves a hit on the side from which it was seen.
      *
-     * @param from the hit
-     * @param surfaceLeft number of the surface that was hit
+     * @param from the hit's place
      * @param dx the ray's unit direction, x part
      * @param dy y part
      * @param dz z part
@@ -47,24 +54,18 @@ final class Branches {
      * @param reflectionCount how often light was mirrored between this ray and the eye
      * @param rayKey of its random numbers
      */
-    void add(HitPoint from, int surfaceLeft, double dx, double dy, double dz, Weight weight, int reflectionCount,
-             long rayKey) {
+    void add(Standpoint from, double dx, double dy, double dz, Weight weight, int reflectionCount, long rayKey) {
         if (added == heap.length) {
             grow();
         }
+        origins[added].take(from);
         int i = added * STRIDE;
-        numbers[i] = from.x();
-        numbers[i + 1] = from.y();
-        numbers[i + 2] = from.z();
-        numbers[i + 3] = from.error();
-        numbers[i + 4] = dx;
-        numbers[i + 5] = dy;
-        numbers[i + 6] = dz;
-        numbers[i + 7] = weight.red();
-        numbers[i + 8] = weight.green();
-        numbers[i + 9] = weight.blue();
-        surface[added] = surfaceLeft;
-        side[added] = from.side();
+        numbers[i] = dx;
+        numbers[i + 1] = dy;
+        numbers[i + 2] = dz;
+        numbers[i + 3] = weight.red();
+        numbers[i + 4] = weight.green();
+        numbers[i + 5] = weight.blue();
         reflections[added] = reflectionCount;
         key[added] = rayKey;
         heaviest[added] = weight.max();
@@ -73,8 +74,9 @@ final class Branches {
 
     private void grow() {
         numbers = Arrays.copyOf(numbers, 2 * numbers.length);
-        surface = Arrays.copyOf(surface, 2 * added);
-        side = Arrays.copyOf(side, 2 * added);
+        Standpoint[] more = origins(2 * added);
+        System.arraycopy(origins, 0, more, 0, added);
+        origins = more;
         reflections = Arrays.copyOf(reflections, 2 * added);
         key = Arrays.copyOf(key, 2 * added);
         heaviest = Arrays.copyOf(heaviest, 2 * added);
@@ -125,14 +127,13 @@ final class Branches {
     /** Starts a walk along the ray taken. */
     void start(RayWalk walk) {
         int i = taken * STRIDE;
-        walk.start(numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3], numbers[i + 4], numbers[i + 5],
-            numbers[i + 6], surface[taken], side[taken]);
+        walk.start(origins[taken], numbers[i], numbers[i + 1], numbers[i + 2]);
     }
 
     /** Weight of the ray taken. */
     void weigh(Weight weight) {
         int i = taken * STRIDE;
-        weight.set(numbers[i + 7], numbers[i + 8], numbers[i + 9]);
+        weight.set(numbers[i + 3], numbers[i + 4], numbers[i + 5]);
     }
 
     /** Reflections between the ray taken and the eye. */

@@ -44,7 +44,6 @@ final class DiffusePaths {
     private final HitPoint from = new HitPoint();
     private final Basis basis = new Basis();
     private final Weight path = new Weight();
-    private int surface;
     private double u;
     private double v;
 
@@ -86,7 +85,6 @@ final class DiffusePaths {
 
     private void follow(Place place, long key, int bounces) {
         from.take(place.point());
-        surface = place.surface();
         path.set(1, 1, 1);
         for (int bounce = 1; bounce <= bounces; bounce++) {
             long bounceKey = CounterRandom.bits(key, bounce);
@@ -113,7 +111,6 @@ final class DiffusePaths {
                 place.beyond.add(DEEP_SHARE, path, Color.WHITE);
             }
             from.take(vertex.point());
-            surface = vertex.surface();
             drawDirection(bounceKey);
         }
     }
@@ -122,7 +119,7 @@ final class DiffusePaths {
     private LightSum lookUpwards(long key) {
         double w = Math.sqrt(Math.max(0, 1 - (u * u + v * v)));
         basis.turnTo(from.normalX(), from.normalY(), from.normalZ());
-        return shader.light(from, surface,
+        return shader.light(from,
             u * basis.ux() + v * basis.vx() + w * basis.wx(),
             u * basis.uy() + v * basis.vy() + w * basis.wy(),
             u * basis.uz() + v * basis.vz() + w * basis.wz(), key);

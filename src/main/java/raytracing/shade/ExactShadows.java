@@ -24,14 +24,14 @@ final class ExactShadows extends SoftShadows {
     }
 
     @Override
-    double meanTransmittance(HitPoint hit, int surface, Light light, int number, double error, long key) {
+    double meanTransmittance(HitPoint hit, Light light, int number, double error, long key) {
         if (light.width() == 0) {
-            return transmittanceFromMiddle(hit, surface, light, number, error);
+            return transmittanceFromMiddle(hit, light, number, error);
         }
         Vector middle = light.position();
-        shaft.aim(hit, surface, middle.x(), middle.y(), middle.z(), error, light.width());
+        shaft.aim(hit, middle.x(), middle.y(), middle.z(), error, light.width());
         if (shaft.isNarrowerThanRounding()) {
-            return transmittanceFromMiddle(hit, surface, light, number, error);
+            return transmittanceFromMiddle(hit, light, number, error);
         }
         if (shaft.isSettled()) {
             return settledTransmittance(shaft);

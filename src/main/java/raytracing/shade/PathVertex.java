@@ -35,7 +35,6 @@ final class PathVertex {
     private final HitPoint point = new HitPoint();
     private final Weight offered = new Weight();
     private final Weight drawn = new Weight();
-    private int surface;
     private boolean isFound;
     private double chances;
     private double red;
@@ -68,12 +67,11 @@ final class PathVertex {
      * Offers a point that the ray has met; the first one first.
      *
      * @param hit the point
-     * @param surfaceMet number of its surface
      * @param material its material
      * @param weight factor on whatever comes from the point
      * @param randomBits of this point alone
      */
-    void offer(HitPoint hit, int surfaceMet, Material material, Weight weight, long randomBits) {
+    void offer(HitPoint hit, Material material, Weight weight, long randomBits) {
         if (!hasMet) {
             hasMet = true;
             firstX = hit.x();
@@ -94,7 +92,6 @@ final class PathVertex {
         if (!isFound || CounterRandom.upperFraction(randomBits) * chances < chance) {
             isFound = true;
             point.take(hit);
-            surface = surfaceMet;
             drawn.set(offered.red() / chance, offered.green() / chance, offered.blue() / chance);
         }
     }
@@ -107,11 +104,6 @@ final class PathVertex {
     /** The point drawn, if there is one. */
     HitPoint point() {
         return point;
-    }
-
-    /** Number of its surface. */
-    int surface() {
-        return surface;
     }
 
     /**

@@ -44,7 +44,6 @@ final class Place {
     final LightSum beyond = new LightSum();
 
     private final HitPoint point = new HitPoint();
-    private final int surface;
     private final double spacing;
     private final double facing;
     private double nearness;
@@ -54,23 +53,17 @@ final class Place {
      * A place where nothing was gathered yet.
      *
      * @param seen the point
-     * @param surface number of its surface
      * @param spacing distance of places around it, were they all on a sphere around the eye
      * @param facing cosine between its normal and the direction to the eye
      */
-    Place(HitPoint seen, int surface, double spacing, double facing) {
+    Place(HitPoint seen, double spacing, double facing) {
         point.take(seen);
-        this.surface = surface;
         this.spacing = spacing;
         this.facing = facing;
     }
 
     HitPoint point() {
         return point;
-    }
-
-    int surface() {
-        return surface;
     }
 
     /** Light is gathered at a place once. */

@@ -65,18 +65,18 @@ final class PlaceGrid {
                 vertex.clear();              // where the lens shows black, no ray does it
                 shader.light(rays, x, y, bits);
                 if (vertex.isFound()) {
-                    places.set(cell, Optional.of(place(vertex.point(), vertex.surface())));
+                    places.set(cell, Optional.of(place(vertex.point())));
                 }
             }
         }
     }
 
-    private Place place(HitPoint point, int surface) {
+    private Place place(HitPoint point) {
         double x = eye.x() - point.x();
         double y = eye.y() - point.y();
         double z = eye.z() - point.z();
         double distance = Vector.length(x, y, z);
-        return new Place(point, surface, spacingAtDistance1 * distance, Math.abs(point.alongNormal(x, y, z)) / distance);
+        return new Place(point, spacingAtDistance1 * distance, Math.abs(point.alongNormal(x, y, z)) / distance);
     }
 
     boolean isEmpty() {

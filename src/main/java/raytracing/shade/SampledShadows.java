@@ -24,13 +24,13 @@ final class SampledShadows extends SoftShadows {
     }
 
     @Override
-    double meanTransmittance(HitPoint hit, int surface, Light light, int number, double error, long key) {
+    double meanTransmittance(HitPoint hit, Light light, int number, double error, long key) {
         if (root == 1 || light.width() == 0) {
-            return transmittanceFromMiddle(hit, surface, light, number, error);
+            return transmittanceFromMiddle(hit, light, number, error);
         }
         Vector middle = light.position();
         ShadowShaft shaft = shafts[number];
-        shaft.aim(hit, surface, middle.x(), middle.y(), middle.z(), error, light.width());
+        shaft.aim(hit, middle.x(), middle.y(), middle.z(), error, light.width());
         double sum = shaft.isSettled() ? sumOfEqual(settledTransmittance(shaft)) : sumOverCells(shaft, root, key);
         return sum / ((double) root * root);
     }

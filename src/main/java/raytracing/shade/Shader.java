@@ -178,16 +178,15 @@ public final class Shader {
      * What arrives at a hit from a direction on the side from which it was seen.
      *
      * @param from the hit
-     * @param surface number of the surface that was hit
      * @param dx unit direction, x part
      * @param dy y part
      * @param dz z part
      * @param key of all random numbers on the way
      * @return linear light, not clamped; overwritten by the next
      */
-    LightSum light(HitPoint from, int surface, double dx, double dy, double dz, long key) {
+    LightSum light(HitPoint from, double dx, double dy, double dz, long key) {
         pixel.clear();
-        walk.start(from.x(), from.y(), from.z(), from.error(), dx, dy, dz, surface, from.side());
+        walk.start(from.place(), dx, dy, dz);
         followAll(key);
         return pixel;
     }
@@ -281,7 +280,7 @@ public final class Shader {
                 addDirectLight(material, hitKey);
                 addAmbientLight(material);
                 if (vertex.isWanted()) {
-                    vertex.offer(hit, walk.surface(), material, weight, CounterRandom.bits(hitKey, VERTEX));
+                    vertex.offer(hit, material, weight, CounterRandom.bits(hitKey, VERTEX));
                 }
                 pixel.add(1 - transparency, weight, direct);
             }
@@ -314,7 +313,7 @@ public final class Shader {
             mirroredLeftOut++;
             pixel.add(1, mirrorWeight, background);
         } else {
-            branches.add(walk.point(), walk.surface(), mirroredX, mirroredY, mirroredZ, mirrorWeight, reflections + 1,
+            branches.add(walk.point().place(), mirroredX, mirroredY, mirroredZ, mirrorWeight, reflections + 1,
                 CounterRandom.bits(hitKey, MIRROR));
         }
     }
@@ -331,7 +330,6 @@ public final class Shader {
         direct.clear();
         pointsShaded++;
         HitPoint hit = walk.point();
-        int surface = walk.surface();
         double normalX = hit.normalX();
         double normalY = hit.normalY();
         double normalZ = hit.normalZ();
@@ -356,7 +354,7 @@ public final class Shader {
                 highlight = Phong.highlight(light.specularIntensity(), cosine, material.phongExponent());
             }
             if (highlight > 0 || !diffuse.isBlack()) {
-                double share = shadows.arrivingShare(hit, surface, light, i, lightErrors[i],
+                double share = shadows.arrivingShare(hit, light, i, lightErrors[i],
                     CounterRandom.bits(hitKey, i));
                 direct.add(share * (height / distance), diffuse, light.color());
                 direct.add(share * highlight, specular, light.color());

@@ -38,35 +38,34 @@ abstract class SoftShadows {
      * square), with s the light's shadow intensity.
      *
      * @param hit the shaded point
-     * @param surface number of the surface it is on
      * @param light the light, not at that point
      * @param number of the light, counted from 0
      * @param error how far each part of its position may be off
      * @param key of the random numbers, if there is need for some
      * @return in [0, 1]
      */
-    final double arrivingShare(HitPoint hit, int surface, Light light, int number, double error, long key) {
+    final double arrivingShare(HitPoint hit, Light light, int number, double error, long key) {
         double s = light.shadowIntensity();
         asked++;
         if (s == 0) {
             settled++;
             return 1;
         }
-        return (1 - s) + s * meanTransmittance(hit, surface, light, number, error, key);
+        return (1 - s) + s * meanTransmittance(hit, light, number, error, key);
     }
 
     /** Mean over the light's square of what comes through to the hit, in [0, 1]. */
-    abstract double meanTransmittance(HitPoint hit, int surface, Light light, int number, double error, long key);
+    abstract double meanTransmittance(HitPoint hit, Light light, int number, double error, long key);
 
     /** Forgets what was asked before, as far as it decides which answers need no ray. */
     void forgetPast() {
     }
 
     /** What comes through from the middle of a light: a hard shadow. */
-    final double transmittanceFromMiddle(HitPoint hit, int surface, Light light, int number, double error) {
+    final double transmittanceFromMiddle(HitPoint hit, Light light, int number, double error) {
         Vector middle = light.position();
         rays++;
-        return lines[number].transmittance(hit, surface, middle.x(), middle.y(), middle.z(), error);
+        return lines[number].transmittance(hit, middle.x(), middle.y(), middle.z(), error);
     }
 
     /** What comes through a light's shaft along any line, where that is known beforehand. */

@@ -187,7 +187,8 @@ public final class BruteForceLight {
         Vector way = end.minus(hit.point());
         for (int i = 0; i < scene.surfaces().size(); i++) {
             Surface surface = scene.surfaces().get(i);
-            Departure departure = i == hit.surface() ? hit.departureTowards(way.x(), way.y(), way.z()) : Departure.ELSEWHERE;
+            Departure departure = i != hit.surface() ? Departure.ELSEWHERE
+                : hit.side() == Departure.INWARD ? Departure.INWARD : hit.departureTowards(way.x(), way.y(), way.z());
             if (surface.crosses(segment, departure)) {
                 product *= scene.materials().get(surface.material()).transparency();
             }

@@ -52,7 +52,7 @@ class CompiledSceneTest {
     private static double transmittance(CompiledScene compiled, Hit hit, double x, double y, double z) {
         HitPoint point = new HitPoint();
         point.take(hit);
-        return new ShadowLine(compiled).transmittance(point, hit.surface(), x, y, z, 0);
+        return new ShadowLine(compiled).transmittance(point, x, y, z, 0);
     }
 
     private static List<Integer> surfaces(List<Hit> hits) {
@@ -157,8 +157,8 @@ class CompiledSceneTest {
         double product = 1;
         for (int i = 0; i < scene.surfaces().size(); i++) {
             Surface surface = scene.surfaces().get(i);
-            Departure departure = i == hit.surface()
-                ? hit.departureTowards(d.x(), d.y(), d.z()) : Departure.ELSEWHERE;
+            Departure departure = i != hit.surface() ? Departure.ELSEWHERE
+                : hit.side() == Departure.INWARD ? Departure.INWARD : hit.departureTowards(d.x(), d.y(), d.z());
             if (surface.crosses(segment, departure)) {
                 product *= scene.materials().get(surface.material()).transparency();
             }

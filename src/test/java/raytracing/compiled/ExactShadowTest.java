@@ -48,7 +48,7 @@ class ExactShadowTest {
         HitPoint point = new HitPoint();
         point.take(hit);
         ShadowShaft shaft = new ShadowShaft(scene, ShadowShaft.Use.AREAS);
-        shaft.aim(point, hit.surface(), light.x(), light.y(), light.z(), PointError.written(light), width);
+        shaft.aim(point, light.x(), light.y(), light.z(), PointError.written(light), width);
         return shaft.isSettled() ? shaft.settledTransmittance() : new ExactShadow(scene).meanTransmittance(shaft);
     }
 

@@ -66,7 +66,7 @@ public final class ShadowQueries {
             HitPoint point = new HitPoint();
             point.take(hit);
             ShadowShaft shaft = new ShadowShaft(scene, use);
-            shaft.aim(point, hit.surface(), light.x(), light.y(), light.z(), PointError.written(light), width);
+            shaft.aim(point, light.x(), light.y(), light.z(), PointError.written(light), width);
             return shaft;
         }
 

@@ -140,6 +140,10 @@ class SegmentTest {
         }
     }
 
+    private static double firstCrossing(Surface surface, Vector origin, Vector direction) {
+        return surface.firstCrossing(new Ray(origin, 0, direction, Ray.NO_SURFACE, Departure.ELSEWHERE), Departure.ELSEWHERE);
+    }
+
     /** The quick question may never lose a crossing: wherever it says "missed", the careful one agrees. */
     @Test
     void whatIsPlainlyMissedIsMissed() {
@@ -152,13 +156,11 @@ class SegmentTest {
             Vector o = random.nextBoolean() ? rim : SphereTest.randomVector(random, 2);
             Vector d = (random.nextBoolean() ? rim : SphereTest.randomVector(random, 2)).minus(o)
                 .plus(0x1p-50, SphereTest.randomVector(random, 1));
-            if (SphereKernel.isPlainlyMissed(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), c.x(), c.y(), c.z(), size)) {
-                assertEquals(Surface.MISS, SphereKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), 0,
-                    c.x(), c.y(), c.z(), size));
+            if (SphereKernel.isPlainlyMissed(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), 0, c.x(), c.y(), c.z(), size)) {
+                assertEquals(Surface.MISS, firstCrossing(new Sphere(c, size, 0), o, d));
                 missed++;
             }
-            double first = BoxKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), 0,
-                c.x(), c.y(), c.z(), size);
+            double first = firstCrossing(new Box(c, 2 * size, 0), o, d);
             double latest = random.nextBoolean() ? 1 : Double.POSITIVE_INFINITY;
             if (BoxKernel.isPlainlyMissed(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), latest, 0,
                     c.x(), c.y(), c.z(), size)) {

@@ -57,7 +57,7 @@ class SurfaceTest {
     @Test
     void aPlaneHasNoBody() {
         Plane plane = new Plane(new Vector(0, 3, 0), 6, 0);
-        assertEquals(Surface.MISS, plane.farWall(0, 2, 0, 0, -1, 0));
+        assertEquals(Surface.MISS, plane.farWall(new Standpoint(), 0, -1, 0));
         assertFalse(plane.isApartFrom(0, 99, 0, 1));
     }
 
@@ -101,11 +101,11 @@ class SurfaceTest {
     @Test
     void aHitPointTakesOverAllOfAnother() {
         HitPoint first = new HitPoint();
-        first.take(new Hit(0, 0, 1, new Vector(1, 2, 3), 0.5, new Vector(0.36, 0.48, 0.8), Departure.INWARD));
+        first.take(new Hit(7, 0, 1, new Vector(1, 2, 3), 0.5, new Vector(0.36, 0.48, 0.8), Departure.INWARD));
         HitPoint second = new HitPoint();
         second.take(first);
         assertEquals(new Hit(7, 8, 9, new Vector(1, 2, 3), 0.5, new Vector(0.36, 0.48, 0.8), Departure.INWARD),
-            second.toHit(7, 8, 9));
+            second.toHit(8, 9));
         assertEquals(new Vector(0.36, 0.48, 0.8), new Vector(second.normalX(), second.normalY(), second.normalZ()));
         assertEquals(0.5, second.error());
     }

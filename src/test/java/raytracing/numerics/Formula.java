@@ -1,6 +1,5 @@
 package raytracing.numerics;
 
-import raytracing.math.AxisOrder;
 import raytracing.math.Vector;
 
 /**
@@ -22,21 +21,11 @@ public interface Formula {
     double firstCrossing(double ox, double oy, double oz, double dx, double dy, double dz,
                          double x, double y, double z, double scalar);
 
-    /** In which order the formula wants the axes of a ray's queries. */
-    default AxisOrder order(double dx, double dy, double dz) {
-        return AxisOrder.Z_LAST;
-    }
-
-    /** The first crossing of a query, in the formula's order of axes. */
+    /** The first crossing of a query. */
     default double firstCrossing(Query query) {
         Vector o = query.origin();
         Vector d = query.direction();
         Vector v = query.vector();
-        double s = query.scalar();
-        return switch (order(d.x(), d.y(), d.z())) {
-            case X_LAST -> firstCrossing(o.y(), o.z(), o.x(), d.y(), d.z(), d.x(), v.y(), v.z(), v.x(), s);
-            case Y_LAST -> firstCrossing(o.z(), o.x(), o.y(), d.z(), d.x(), d.y(), v.z(), v.x(), v.y(), s);
-            case Z_LAST -> firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), v.x(), v.y(), v.z(), s);
-        };
+        return firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), v.x(), v.y(), v.z(), query.scalar());
     }
 }

@@ -9,46 +9,49 @@ import raytracing.geometry.PlaneKernel;
 import raytracing.geometry.Ray;
 import raytracing.geometry.Sphere;
 import raytracing.geometry.SphereKernel;
+import raytracing.geometry.Standpoint;
 import raytracing.geometry.Surface;
-import raytracing.math.AxisOrder;
 import raytracing.math.Vector;
 
 /** Every question that these tests ask the product about crossings goes through here. */
 final class ProductAlgorithms {
-    static final Formula SPHERE = (InTheRaysOrder) ProductAlgorithms::sphere;
-    static final Formula PLANE = (InTheRaysOrder) ProductAlgorithms::plane;
+    static final Formula SPHERE = ProductAlgorithms::sphere;
+    static final Formula PLANE = ProductAlgorithms::plane;
     static final Formula BOX = ProductAlgorithms::box;
 
     private ProductAlgorithms() {
     }
 
-    /** As the product's loops ask: on axes sorted by the ray, its main axis last. */
-    private interface InTheRaysOrder extends Formula {
-        @Override
-        default AxisOrder order(double dx, double dy, double dz) {
-            return AxisOrder.of(dx, dy, dz);
-        }
-    }
-
-    /** As the product's loop over spheres asks: the quick question first. */
+    /** As the product's loop over spheres asks: the quick question first, and exact numbers last. */
     private static double sphere(double ox, double oy, double oz, double dx, double dy, double dz,
                                  double cx, double cy, double cz, double r) {
-        return SphereKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, cx, cy, cz, r)
-            ? Formula.MISS
-            : SphereKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, r);
+        if (SphereKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, r)) {
+            return Formula.MISS;
+        }
+        double quick = SphereKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, r);
+        return Double.isNaN(quick) ? exact(new Sphere(new Vector(cx, cy, cz), r, 0), ox, oy, oz, dx, dy, dz) : quick;
     }
 
     private static double plane(double ox, double oy, double oz, double dx, double dy, double dz,
                                 double nx, double ny, double nz, double c) {
-        return PlaneKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, nx, ny, nz, c);
+        double quick = PlaneKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, nx, ny, nz, c);
+        return Double.isNaN(quick) ? exact(new Plane(new Vector(nx, ny, nz), c, 0), ox, oy, oz, dx, dy, dz) : quick;
     }
 
     private static double box(double ox, double oy, double oz, double dx, double dy, double dz,
                               double cx, double cy, double cz, double edge) {
         double half = edge / 2;
-        return BoxKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, Formula.MISS, 0, cx, cy, cz, half)
-            ? Formula.MISS
-            : BoxKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, half);
+        if (BoxKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, Formula.MISS, 0, cx, cy, cz, half)) {
+            return Formula.MISS;
+        }
+        double quick = BoxKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, half);
+        return Double.isNaN(quick) ? exact(new Box(new Vector(cx, cy, cz), edge, 0), ox, oy, oz, dx, dy, dz) : quick;
+    }
+
+    private static double exact(Surface surface, double ox, double oy, double oz, double dx, double dy, double dz) {
+        Standpoint origin = new Standpoint();
+        origin.start(ox, oy, oz, 0, Ray.NO_SURFACE, Departure.ELSEWHERE);
+        return Surface.distance(surface.crossing(origin, 0, new Vector(dx, dy, dz)));
     }
 
     static Surface sphere(Query query) {
@@ -78,11 +81,18 @@ final class ProductAlgorithms {
     }
 
     static Vector hitPoint(Surface surface, Query query, double t) {
-        return surface.hit(ray(query), t, 0).point();
+        return surface.hit(rayTo(surface, query, t), t, 0).point();
     }
 
     static Vector outwardNormal(Surface surface, Query query, double t) {
-        return OutwardNormal.of(surface, ray(query), t);
+        return OutwardNormal.of(surface, rayTo(surface, query, t), t);
+    }
+
+    /** A ray that meets a surface at t; behind its first crossing, one that is known to be inside. */
+    private static Ray rayTo(Surface surface, Query query, double t) {
+        Ray ray = ray(query);
+        return surface.firstCrossing(ray, Departure.ELSEWHERE) < t
+            ? new Ray(ray.origin(), 0, ray.direction(), 0, Departure.INWARD) : ray;
     }
 
     /** One whose origin is exactly where it says. */

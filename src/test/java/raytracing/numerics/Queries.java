@@ -84,24 +84,20 @@ public final class Queries {
         return sum;
     }
 
-    /** The order of axes is that of the ray, chosen once for all its surfaces. */
     private double sumOfCrossings(Formula formula, int ray) {
         int o = ray * RAY;
         int d = o + 3;
-        int last = formula.order(rays[d], rays[d + 1], rays[d + 2]).ordinal();
-        int first = (last + 1) % 3;
-        int second = (last + 2) % 3;
-        double ou = rays[o + first];
-        double ov = rays[o + second];
-        double ow = rays[o + last];
-        double du = rays[d + first];
-        double dv = rays[d + second];
-        double dw = rays[d + last];
+        double ox = rays[o];
+        double oy = rays[o + 1];
+        double oz = rays[o + 2];
+        double dx = rays[d];
+        double dy = rays[d + 1];
+        double dz = rays[d + 2];
         double sum = 0;
         int end = (ray + 1) * surfacesPerRay * SURFACE;
         for (int s = ray * surfacesPerRay * SURFACE; s < end; s += SURFACE) {
-            double t = formula.firstCrossing(ou, ov, ow, du, dv, dw,
-                surfaces[s + first], surfaces[s + second], surfaces[s + last], surfaces[s + 3]);
+            double t = formula.firstCrossing(ox, oy, oz, dx, dy, dz,
+                surfaces[s], surfaces[s + 1], surfaces[s + 2], surfaces[s + 3]);
             if (t < Formula.MISS) {
                 sum += t;
             }

@@ -1,6 +1,7 @@
 package raytracing.numerics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -15,6 +16,9 @@ import raytracing.math.Vector;
 class SymmetryTest {
     private static final long SEED = 11;
     private static final int SIZE = 50_000;
+
+    /** The largest error of a crossing. */
+    private static final int MOST_ULPS = 16;
 
     /** One change of a query; which one of its kind is up to the query's number. */
     @FunctionalInterface
@@ -33,11 +37,16 @@ class SymmetryTest {
         Queries queries = family.queries(SEED, SIZE);
         int[] broken = IntStream.range(0, queries.size())
             .filter(i -> ours.firstCrossing(change.of(queries.get(i), i))
-                != factor.of(i) * ours.firstCrossing(queries.get(i)))
+                != inRange(ours.firstCrossing(queries.get(i)), factor.of(i)))
             .toArray();
         assertEquals(0, broken.length, () -> "queries that break the law; first: " + queries.get(broken[0])
             + ", answer " + ours.firstCrossing(queries.get(broken[0])) + ", changed "
             + ours.firstCrossing(change.of(queries.get(broken[0]), broken[0])));
+    }
+
+    /** A crossing in other units: the outermost double stands for all beyond it. */
+    private static double inRange(double crossing, double factor) {
+        return crossing < Formula.MISS ? Math.min(factor * crossing, Double.MAX_VALUE) : crossing;
     }
 
     private static void assertLaw(Family family, Change change) {
@@ -53,8 +62,17 @@ class SymmetryTest {
 
     @ParameterizedTest(name = "{0}")
     @MethodSource(AllFamilies.NAMED)
-    void theOrderOfTheAxesChangesNothing(Family family) {
-        assertLaw(family, (query, i) -> query.inAxes(Axes.PERMUTATIONS.get(i % Axes.PERMUTATIONS.size())));
+    void theOrderOfTheAxesChangesNoDecision(Family family) {
+        Formula ours = family.shape().ours().formula();
+        Queries queries = family.queries(SEED, SIZE);
+        for (int i = 0; i < queries.size(); i++) {
+            Query query = queries.get(i);
+            Query renamed = query.inAxes(Axes.PERMUTATIONS.get(i % Axes.PERMUTATIONS.size()));
+            double t = ours.firstCrossing(query);
+            double other = ours.firstCrossing(renamed);
+            assertTrue(t == other || Math.abs(t - other) <= 2 * MOST_ULPS * Math.ulp(t),
+                () -> query + " has " + t + ", " + renamed + " has " + other);
+        }
     }
 
     /**

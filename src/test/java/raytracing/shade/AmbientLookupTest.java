@@ -26,7 +26,7 @@ class AmbientLookupTest {
     }
 
     private static Place place(double x, double z, double light) {
-        Place place = new Place(at(x, z, UP), 0, 1, 1);
+        Place place = new Place(at(x, z, UP), 1, 1);
         place.light.add(light, light / 2, 0);
         return place;
     }
@@ -127,7 +127,7 @@ class AmbientLookupTest {
 
     @Test
     void placesThatLieFurtherApartReachFurther() {
-        Place far = new Place(at(0, 0, UP), 0, 3, 1);
+        Place far = new Place(at(0, 0, UP), 3, 1);
         assertEquals(6 * 3, far.radius());
         far.addNearness(1);
         assertEquals(2 * 3, far.radius());
@@ -136,7 +136,7 @@ class AmbientLookupTest {
     /** Seen at a cosine of a quarter, places lie four times as far apart in one direction: the root of it is 2. */
     @Test
     void placesReachFurtherOnSurfacesThatTheEyeLooksAlong() {
-        Place slanted = new Place(at(0, 0, UP), 0, 1, 0.25);
+        Place slanted = new Place(at(0, 0, UP), 1, 0.25);
         slanted.addNearness(1);
         assertEquals(4, slanted.radius());
         assertEquals(3 * 4 * 4, slanted.wideRadius());

@@ -30,7 +30,7 @@ class BranchesTest {
         from.take(HIT);
         Weight green = new Weight();
         green.set(0, weight, 0);
-        branches.add(from, HIT.surface(), 0, 0, 1, green, reflections, 7);
+        branches.add(from.place(), 0, 0, 1, green, reflections, 7);
     }
 
     private double takenWeight() {

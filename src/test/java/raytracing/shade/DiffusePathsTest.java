@@ -20,7 +20,7 @@ class DiffusePathsTest {
             "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0", "pln 0 1 0 5 1", "sph 3 5 -2 10 1");
         HitPoint middle = new HitPoint();
         middle.take(new Hit(0, 0, 1, new Vector(3, 5, -2), 0, new Vector(0, 1, 0), Departure.OUTWARD));
-        Place place = new Place(middle, 0, 1, 1);
+        Place place = new Place(middle, 1, 1);
         new DiffusePaths(scene, new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT)).gather(place, 1);
         assertEquals(3.5, place.radius(), 1e-12);
     }

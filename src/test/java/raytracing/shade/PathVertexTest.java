@@ -28,7 +28,7 @@ class PathVertexTest {
 
     private static HitPoint at(double z) {
         HitPoint point = new HitPoint();
-        point.take(new Hit(0, 0, 1, new Vector(0, 0, z), 0, new Vector(0, 0, -1), Departure.OUTWARD));
+        point.take(new Hit((int) z, 0, 1, new Vector(0, 0, z), 0, new Vector(0, 0, -1), Departure.OUTWARD));
         return point;
     }
 
@@ -50,9 +50,9 @@ class PathVertexTest {
         for (int draw = 0; draw < DRAWS; draw++) {
             vertex.clear();
             for (int i = 0; i < 3; i++) {
-                vertex.offer(at(i), i, diffuse(0.5, 0.1, 0), weight(0.2 * (i + 1)), CounterRandom.bits(draw, i));
+                vertex.offer(at(i), diffuse(0.5, 0.1, 0), weight(0.2 * (i + 1)), CounterRandom.bits(draw, i));
             }
-            counts[vertex.surface()]++;
+            counts[vertex.point().surface()]++;
         }
         for (int i = 0; i < 3; i++) {
             double chance = (i + 1) / 6.0;
@@ -68,12 +68,12 @@ class PathVertexTest {
         PathVertex vertex = vertex();
         for (int draw = 0; draw < DRAWS; draw++) {
             vertex.clear();
-            vertex.offer(at(0), 0, diffuse(0.3, 0, 0), weight(1), CounterRandom.bits(draw, 0));
-            vertex.offer(at(1), 1, diffuse(0.1, 0.4, 0), weight(1), CounterRandom.bits(draw, 1));
+            vertex.offer(at(0), diffuse(0.3, 0, 0), weight(1), CounterRandom.bits(draw, 0));
+            vertex.offer(at(1), diffuse(0.1, 0.4, 0), weight(1), CounterRandom.bits(draw, 1));
             Weight path = weight(1);
             vertex.filter(path);
-            red += path.red() * (vertex.surface() + 1) / DRAWS;
-            green += path.green() * (vertex.surface() + 1) / DRAWS;
+            red += path.red() * (vertex.point().surface() + 1) / DRAWS;
+            green += path.green() * (vertex.point().surface() + 1) / DRAWS;
         }
         double bound = 6 * 0.7 / Math.sqrt(DRAWS);      // no draw counts more than the sum of the chances, 0.7, times light
         assertEquals(0.5, red, 2 * bound);
@@ -84,7 +84,7 @@ class PathVertexTest {
     void noMoreThanNineTenthsComeBack() {
         PathVertex vertex = vertex();
         vertex.clear();
-        vertex.offer(at(0), 0, diffuse(3, 0.9, 0.5), weight(1), 1);
+        vertex.offer(at(0), diffuse(3, 0.9, 0.5), weight(1), 1);
         Weight path = weight(1);
         vertex.filter(path);
         assertEquals(0.9, path.red(), 1e-15);
@@ -96,7 +96,7 @@ class PathVertexTest {
     void whatIsTransparentSendsBackLess() {
         PathVertex vertex = vertex();
         vertex.clear();
-        vertex.offer(at(0), 0, material(Color.WHITE, 0.75, Color.BLACK), weight(0.5), 1);
+        vertex.offer(at(0), material(Color.WHITE, 0.75, Color.BLACK), weight(0.5), 1);
         Weight path = weight(1);
         vertex.filter(path);
         assertEquals(0.125, path.red(), 1e-15);
@@ -108,7 +108,7 @@ class PathVertexTest {
         boolean isDiffuse = scattering == PathVertex.Scattering.DIFFUSE;
         PathVertex vertex = new PathVertex(scattering);
         vertex.clear();
-        vertex.offer(at(0), 0, material(isDiffuse ? Color.BLACK : Color.WHITE, 0, isDiffuse ? Color.WHITE : Color.BLACK),
+        vertex.offer(at(0), material(isDiffuse ? Color.BLACK : Color.WHITE, 0, isDiffuse ? Color.WHITE : Color.BLACK),
             weight(1), 1);
         assertFalse(vertex.isFound());
     }
@@ -118,8 +118,8 @@ class PathVertexTest {
     void theFirstPointMetIsTheNearestEvenIfNoPathGoesOnFromIt() {
         PathVertex vertex = vertex();
         vertex.clear();
-        vertex.offer(at(2), 0, diffuse(0, 0, 0), weight(1), 1);
-        vertex.offer(at(8), 1, diffuse(1, 1, 1), weight(1), 1);
+        vertex.offer(at(2), diffuse(0, 0, 0), weight(1), 1);
+        vertex.offer(at(8), diffuse(1, 1, 1), weight(1), 1);
         assertTrue(vertex.isFound());
         assertEquals(0.5, vertex.nearness(at(0)));
     }

@@ -36,7 +36,7 @@ class SoftShadowsTest {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces)
             + "\nlgt 0 10 0 1 1 1 1 " + shadowIntensity + " " + width);
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        return new SampledShadows(compiled, root, 1).arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, key);
+        return new SampledShadows(compiled, root, 1).arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, key);
     }
 
     @ParameterizedTest
@@ -126,7 +126,7 @@ class SoftShadowsTest {
         SoftShadows shadows = new SampledShadows(compiled, root, 1);
         double sum = 0;
         for (int i = 0; i < keys; i++) {
-            sum += shadows.arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, CounterRandom.bits(5, i));
+            sum += shadows.arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, CounterRandom.bits(5, i));
         }
         double standardError = Math.sqrt(hidden * (1 - hidden) / ((double) keys * root * root));
         assertEquals(expected, sum / keys, 5 * standardError);
@@ -170,7 +170,7 @@ class SoftShadowsTest {
     private static double share(ShadowMethod method, double width, String... surfaces) {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces) + "\nlgt 0 10 0 1 1 1 1 1 " + width);
         CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        return SoftShadows.of(compiled, method, 1, 1).arrivingShare(FLOOR, 0, scene.lights().get(0), 0, 0x1p-48, 1);
+        return SoftShadows.of(compiled, method, 1, 1).arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, 1);
     }
 
     @Test
