@@ -1,6 +1,7 @@
 package raytracing.compiled;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import raytracing.geometry.Box;
 import raytracing.geometry.Plane;
@@ -14,7 +15,7 @@ import raytracing.scene.Scene;
 /**
  * Brings scenes of huge or tiny lengths to ordinary ones, where the quick questions about surfaces have an answer: squares
  * stay in the range of doubles. Only ratios of lengths are seen, so a power of two changes no bit of the picture; a scene
- * that would lose a digit, as it mixes huge and tiny, stays as it is.
+ * that would lose a digit, as it mixes huge and tiny, stays as it is. Where the camera looks is no length: only the direction counts.
  */
 public final class OrdinaryLengths {
     /** Products of six lengths between 2^-100 and 2^100 are normal numbers. */
@@ -28,13 +29,13 @@ public final class OrdinaryLengths {
     }
 
     /**
-     * The scene with its largest length near 1.
+     * The scene with most of its lengths near 1.
      *
      * @param scene any scene
      * @return a scene of the same picture; the same one if its lengths are ordinary, or cannot be exactly
      */
     public static Scene of(Scene scene) {
-        int exponent = largestExponent(scene);
+        int exponent = middleExponent(scene);
         if (Math.abs(exponent) <= ORDINARY && arePlanesOrdinary(scene)) {
             return scene;
         }
@@ -61,23 +62,47 @@ public final class OrdinaryLengths {
         return exponent(plane.normal().largestPart());
     }
 
-    /** That of the largest of all lengths; 0 if all are 0. */
-    private static int largestExponent(Scene scene) {
-        double largest = Math.max(scene.camera().position().largestPart(), scene.camera().lookAt().largestPart());
+    /** That of the length in the middle: as many are larger as are smaller; 0 if all are ordinary. */
+    private static int middleExponent(Scene scene) {
+        int[] exponents = new int[1 + 2 * scene.lights().size() + 2 * scene.surfaces().size()];
+        int count = add(scene.camera().position().largestPart(), exponents, 0);
         for (Light light : scene.lights()) {
-            largest = Math.max(largest, Math.max(light.position().largestPart(), light.width()));
+            count = add(light.position().largestPart(), exponents, count);
+            count = add(light.width(), exponents, count);
         }
-        int ofPlanes = Integer.MIN_VALUE;
         for (Surface surface : scene.surfaces()) {
             if (surface instanceof Sphere sphere) {
-                largest = Math.max(largest, Math.max(sphere.centre().largestPart(), sphere.radius()));
+                count = add(sphere.centre().largestPart(), exponents, count);
+                count = add(sphere.radius(), exponents, count);
             } else if (surface instanceof Box box) {
-                largest = Math.max(largest, Math.max(box.centre().largestPart(), box.edge()));
+                count = add(box.centre().largestPart(), exponents, count);
+                count = add(box.edge(), exponents, count);
             } else if (surface instanceof Plane plane && plane.offset() != 0) {
-                ofPlanes = Math.max(ofPlanes, exponent(plane.offset()) - normalExponent(plane));
+                exponents[count++] = exponent(plane.offset()) - normalExponent(plane);
             }
         }
-        return largest == 0 ? Math.max(0, ofPlanes) : Math.max(exponent(largest), ofPlanes);
+        return areOrdinary(exponents, count) ? 0 : middle(exponents, count);
+    }
+
+    private static boolean areOrdinary(int[] exponents, int count) {
+        int furthest = 0;
+        for (int i = 0; i < count; i++) {
+            furthest = Math.max(furthest, Math.abs(exponents[i]));
+        }
+        return furthest <= ORDINARY;
+    }
+
+    private static int middle(int[] exponents, int count) {
+        Arrays.sort(exponents, 0, count);
+        return exponents[count / 2];
+    }
+
+    private static int add(double length, int[] exponents, int count) {
+        if (length == 0) {
+            return count;
+        }
+        exponents[count] = exponent(length);
+        return count + 1;
     }
 
     /** Also of a number below all normal ones. */

@@ -31,6 +31,9 @@ final class SampledShadows extends SoftShadows {
         Vector middle = light.position();
         ShadowShaft shaft = shafts[number];
         shaft.aim(hit, middle.x(), middle.y(), middle.z(), error, light.width());
+        if (shaft.isNarrowerThanRounding()) {
+            return transmittanceFromMiddle(hit, light, number, error);
+        }
         double sum = shaft.isSettled() ? sumOfEqual(settledTransmittance(shaft)) : sumOverCells(shaft, root, key);
         return sum / ((double) root * root);
     }

@@ -10,8 +10,6 @@ import raytracing.SceneText;
 import raytracing.scene.Scene;
 
 class OrdinaryLengthsTest {
-    private static final int LARGEST_EXPONENT = 2;
-
     /** All lengths but those of the screen, times a power of two; normals, which are no lengths, times another. */
     private static Scene scene(double length, double slope) {
         return SceneText.scene("cam 0 " + 2 * length + " " + -4 * length + "  0 " + 0.5 * length + " 0  0 1 0  1 1",
@@ -23,9 +21,16 @@ class OrdinaryLengthsTest {
 
     @ParameterizedTest
     @ValueSource(ints = {-900, -101, 101, 900})
-    void aSceneOfHugeOrTinyLengthsGetsItsLargestOneNear1(int exponent) {
-        assertEquals(scene(Math.scalb(1.0, -LARGEST_EXPONENT), 1),
-            OrdinaryLengths.of(scene(Math.scalb(1.0, exponent - LARGEST_EXPONENT), 1)));
+    void aSceneOfHugeOrTinyLengthsGetsItsMiddleOneNear1(int exponent) {
+        assertEquals(scene(1, 1), OrdinaryLengths.of(scene(Math.scalb(1.0, exponent), 1)));
+    }
+
+    /** It would be all the others that got out of the ordinary. */
+    @Test
+    void oneHugeLengthAmongOrdinaryOnesChangesNothing() {
+        Scene scene = SceneText.scene("cam 0 0 -4  0 0 1e300  0 1 0  1 1", "set 1 1 1 1 1", "mtl 1 1 1  0 0 0  0 0 0  1 0",
+            "sph 0 0 0 1 1", "box 3 0 0 1 1", "lgt 0 1e300 0  0 0 0  1 1 0");
+        assertSame(scene, OrdinaryLengths.of(scene));
     }
 
     @ParameterizedTest
@@ -36,7 +41,7 @@ class OrdinaryLengthsTest {
 
     @Test
     void aSubnormalSceneBecomesANormalOne() {
-        assertEquals(scene(Math.scalb(1.0, -LARGEST_EXPONENT), 1), OrdinaryLengths.of(scene(0x1p-1040, 1)));
+        assertEquals(scene(1, 1), OrdinaryLengths.of(scene(0x1p-1040, 1)));
     }
 
     @ParameterizedTest
