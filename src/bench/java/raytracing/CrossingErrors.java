@@ -27,12 +27,12 @@ final class CrossingErrors {
         return percent(errors.wrongShare()) + ", " + ulps(errors.worst()) + " (" + ulps(errors.median()) + ")";
     }
 
-    private static String percent(double share) {
-        return share == 0 ? "0" : String.format(Locale.ROOT, "%.2g", 100 * share);
+    static String percent(double share) {
+        return share == 0 ? "0" : String.format(Locale.ROOT, share < 0.1 ? "%.2g" : "%.0f", 100 * share);
     }
 
     /** A family may leave nothing to count: every crossing was missed. */
-    private static String ulps(double ulps) {
+    static String ulps(double ulps) {
         if (Double.isNaN(ulps)) {
             return "-";
         }

@@ -10,11 +10,17 @@ import org.openjdk.jmh.runner.RunnerException;
 import raytracing.numerics.Algorithm;
 import raytracing.numerics.Shape;
 
-/** Writes into NUMERICS.md what every crossing formula gets wrong, and what it costs: the same contenders in both. */
+/**
+ * Writes into NUMERICS.md what every crossing formula gets wrong, and what it costs: the same contenders in both. And what a
+ * search finds: order, joints, climbing.
+ */
 public final class NumericsReport {
     private static final Path DOCUMENT = Path.of("src", "docs", "NUMERICS.md");
     private static final int ROUNDS = 6;
     private static final int QUICK_ROUNDS = 1;
+
+    /** Name of the part of the document that has no times. */
+    private static final String SEARCH = "search";
 
     private NumericsReport() {
     }
@@ -22,13 +28,17 @@ public final class NumericsReport {
     /**
      * Measures and writes.
      *
-     * @param arguments nothing, or {@code quick} for a single round of times
+     * @param arguments nothing, or {@code quick} for a single round of times, or {@code search} for the search alone
      */
     public static void main(String[] arguments) throws IOException, RunnerException {
-        boolean quick = List.of(arguments).contains("quick");
-        CrossingTimes times = CrossingTimes.measured(quick ? QUICK_ROUNDS : ROUNDS);
-        String command = quick ? "gradle numerics -Pquick" : "gradle numerics";
-        MeasuredPart.replace(DOCUMENT, report(command, times));
+        List<String> asked = List.of(arguments);
+        MeasuredPart.replace(DOCUMENT, SEARCH,
+            SearchErrors.report(asked.contains(SEARCH) ? "gradle numerics -Psearch" : "gradle numerics"));
+        if (!asked.contains(SEARCH)) {
+            boolean quick = asked.contains("quick");
+            CrossingTimes times = CrossingTimes.measured(quick ? QUICK_ROUNDS : ROUNDS);
+            MeasuredPart.replace(DOCUMENT, report(quick ? "gradle numerics -Pquick" : "gradle numerics", times));
+        }
     }
 
     private static String report(String command, CrossingTimes times) throws IOException {

@@ -24,10 +24,15 @@ record ExactChord(BigDecimal near, BigDecimal far) {
 
     ExactAnswer answer() {
         return switch (firstRoot()) {
-            case NEAR -> new ExactAnswer(near.doubleValue(), far.doubleValue());
-            case FAR -> new ExactAnswer(far.doubleValue(), near.doubleValue());
+            case NEAR -> new ExactAnswer(aboveZero(near), far.doubleValue());
+            case FAR -> new ExactAnswer(aboveZero(far), near.doubleValue());
             case NONE -> ExactAnswer.NO_CROSSING;
         };
+    }
+
+    /** A crossing is neither 0 nor infinite, even where doubles are: the outermost double stands for it. */
+    private static double aboveZero(BigDecimal crossing) {
+        return Math.max(Double.MIN_VALUE, Math.min(Double.MAX_VALUE, crossing.doubleValue()));
     }
 
     enum Root { NONE, NEAR, FAR }

@@ -42,7 +42,12 @@ final class ExactSphere {
         if (exactSquare.signum() == 0) {
             return BigDecimal.ZERO;
         }
-        BigDecimal square = exactSquare.round(MORE_DIGITS);
+        int tens = (exactSquare.precision() - exactSquare.scale()) / 2;
+        return rootOfOrdinary(exactSquare.scaleByPowerOfTen(-2 * tens).round(MORE_DIGITS)).scaleByPowerOfTen(tens);
+    }
+
+    /** Of a number that is a double's size. */
+    private static BigDecimal rootOfOrdinary(BigDecimal square) {
         BigDecimal root = new BigDecimal(Math.sqrt(square.doubleValue()));
         for (int step = 0; step < 2; step++) {
             root = root.add(square.divide(root, MORE_DIGITS)).multiply(HALF, MORE_DIGITS);

@@ -13,21 +13,16 @@ class HardRaysTest {
     private static final int SIZE = 20_000;
 
     /**
-     * The bounds of the tables of exact answers. On 20 000 rays of a family they ask for more than 106 bits where an
-     * origin lies on a sphere or a plane: there, double-double throughout is off by up to 159 and 29 ulps. Everywhere
-     * else it is off by at most 1.
+     * On 20 000 rays of a family the bounds ask for more than 106 bits where an origin lies on a sphere or a plane: there,
+     * double-double throughout is off by up to 159 and 29 ulps. Everywhere else it is off by at most 1.
      */
-    private static int allowedUlps(Shape shape) {
-        return shape == Shape.BOX ? 2 : 16;
-    }
-
     @ParameterizedTest(name = "{0}")
     @MethodSource(AllFamilies.NAMED)
     void everyCrossingIsTheExactOneButForItsLastDigits(Family family) {
         Formula ours = family.shape().ours().formula();
         Sample sample = family.sample(SEED, SIZE);
         Sample.Errors errors = sample.errorsOf(ours);
-        assertTrue(errors.wrongShare() == 0 && errors.worst() <= allowedUlps(family.shape()),
+        assertTrue(errors.wrongShare() == 0 && errors.worst() <= family.shape().allowedUlps(),
             () -> errors + "; worst: " + sample.worstAnswer(ours));
     }
 

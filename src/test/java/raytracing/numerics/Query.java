@@ -1,7 +1,8 @@
 package raytracing.numerics;
 
-import java.util.Locale;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import raytracing.math.Vector;
 
 /**
@@ -38,14 +39,11 @@ public record Query(Vector origin, Vector direction, Vector vector, double scala
         return new Query(origin, direction, other, scalar);
     }
 
-    /** In hexadecimal, so that a failure can be repeated to the last bit. */
+    /** As a line of Java, in hexadecimal, so that a failure can be repeated to the last bit. */
     @Override
     public String toString() {
-        return "o " + hexadecimal(origin) + ", d " + hexadecimal(direction) + ", surface " + hexadecimal(vector)
-            + String.format(Locale.ROOT, " %a", scalar);
-    }
-
-    private static String hexadecimal(Vector v) {
-        return String.format(Locale.ROOT, "(%a %a %a)", v.x(), v.y(), v.z());
+        return DoubleStream.of(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z(),
+                vector.x(), vector.y(), vector.z(), scalar)
+            .mapToObj(Double::toHexString).collect(Collectors.joining(", ", "Query.of(", ")"));
     }
 }

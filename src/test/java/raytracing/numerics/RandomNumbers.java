@@ -29,7 +29,7 @@ record RandomNumbers(SplittableRandom random) {
     }
 
     double powerOfTwo(int lowest, int highest) {
-        return Math.scalb(1, random.nextInt(lowest, highest));
+        return Math.scalb(1.0, random.nextInt(lowest, highest));
     }
 
     /** Every part between -size and size. */
@@ -54,6 +54,33 @@ record RandomNumbers(SplittableRandom random) {
 
     private double eighth(int most) {
         return random.nextInt(1, 8 * most) * sign() / 8;
+    }
+
+    /** A whole number between -most and most, never 0. */
+    double whole(int most) {
+        return random.nextInt(1, most + 1) * sign();
+    }
+
+    /** Every part such a number, or 0 for one in four. */
+    Vector wholes(int most) {
+        Vector v = new Vector(wholeOrZero(most), wholeOrZero(most), wholeOrZero(most));
+        return v.isZero() ? wholes(most) : v;
+    }
+
+    private double wholeOrZero(int most) {
+        return oneIn(4) ? zero() : whole(most);
+    }
+
+    /** A number moved by up to so many units in its last place; 0, by as many units of 2^-60. */
+    double beside(double number, int ulps) {
+        double unit = number == 0 ? 0x1p-60 : Math.ulp(number);
+        return number + random.nextInt(-ulps, ulps + 1) * unit;
+    }
+
+    /** A point with one part moved by up to so many units in its last place. */
+    Vector beside(Vector point, int ulps) {
+        int axis = axis();
+        return Axes.withPart(point, axis, beside(Axes.part(point, axis), ulps));
     }
 
     int axis() {

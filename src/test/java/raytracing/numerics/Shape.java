@@ -30,8 +30,13 @@ public enum Shape {
     }
 
     /** The product's. */
-    Algorithm ours() {
+    public Algorithm ours() {
         return ours;
+    }
+
+    /** How far a crossing of the product's may be off: the bounds of the tables of exact answers. */
+    int allowedUlps() {
+        return this == BOX ? 2 : 16;
     }
 
     /** All contenders, the textbook's first. */

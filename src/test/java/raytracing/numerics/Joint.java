@@ -1,0 +1,46 @@
+package raytracing.numerics;
+
+import raytracing.compiled.CompiledScene;
+import raytracing.compiled.RayWalk;
+import raytracing.compiled.ShadowLine;
+import raytracing.geometry.HitPoint;
+import raytracing.math.Vector;
+
+/**
+ * A point that a walk has reached, kept while walks and lines go on from there. The one place of these tests that knows
+ * how the product is asked to go on.
+ *
+ * @param point the product's
+ */
+record Joint(HitPoint point) {
+    /** A copy of the walk's point. */
+    static Joint reachedBy(RayWalk walk) {
+        HitPoint copy = new HitPoint();
+        copy.take(walk.point());
+        return new Joint(copy);
+    }
+
+    /** Number of the surface that was reached. */
+    int surface() {
+        return point.surface();
+    }
+
+    Vector position() {
+        return new Vector(point.x(), point.y(), point.z());
+    }
+
+    /** The unit normal of the surface reached, to the side from which it was. */
+    Vector normal() {
+        return new Vector(point.normalX(), point.normalY(), point.normalZ());
+    }
+
+    /** Starts a walk from here, as a mirrored ray does. */
+    void start(RayWalk walk, Vector direction) {
+        walk.start(point.place(), direction.x(), direction.y(), direction.z());
+    }
+
+    /** How much light comes here from a point. */
+    double transmittance(CompiledScene scene, Vector end) {
+        return new ShadowLine(scene).transmittance(point, end.x(), end.y(), end.z(), 0);
+    }
+}

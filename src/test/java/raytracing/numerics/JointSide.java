@@ -1,0 +1,120 @@
+package raytracing.numerics;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import raytracing.geometry.Box;
+import raytracing.geometry.Plane;
+import raytracing.geometry.Sphere;
+import raytracing.geometry.Surface;
+import raytracing.math.Vector;
+
+/**
+ * How a point that a ray has reached lies to one surface: in front of it, on the side from which the ray came. From
+ * that follows which lines from the point cross the surface and which rays meet it at once. Where a line or a ray runs
+ * so nearly along the surface that the answer depends on roundings, there is none.
+ *
+ * @param isHigh whether the ray came from outside a body, or from where a plane's normal points to
+ * @param normals unit normals of the surface at the point, outward: one, or on a box's edge two or three; none if the
+ *        point is well off the surface
+ */
+record JointSide(Surface surface, boolean isHigh, List<Vector> normals) {
+    /** The sine of the angle from which on a direction leads away from a surface for certain. */
+    static final double CLEAR = 0x1p-4;
+
+    /**
+     * What is nearer is at the point, as a share of the lengths that are compared. A mirrored ray goes up to 1 / CLEAR
+     * times as far to what is at the point, and so may the next one from there.
+     */
+    static final double NEAR = 0x1p-40;
+
+    /** A ray that meets something so near meets it at once. */
+    static final double AT_ONCE = 0x1p-26;
+
+    /** What is further away is well off, for certain rays and lines as well. */
+    static final double WELL_OFF = 0x1p-20;
+
+    /**
+     * The side of a point that is a ray's first crossing; if the ray runs nearly along the surface there, none is
+     * known.
+     */
+    static Optional<JointSide> of(Surface surface, Encounter encounter, Vector point) {
+        if (Sides.isOff(surface, point, WELL_OFF)) {
+            return Optional.of(new JointSide(surface, Sides.height(surface, point) > 0, List.of()));
+        }
+        if (Sides.isOff(surface, point, NEAR)) {
+            return Optional.empty();
+        }
+        List<Vector> normals = normals(surface, point);
+        boolean isHigh = Sides.height(surface, encounter.origin()) > 0;
+        return Optional.of(new JointSide(surface, isHigh, normals))
+            .filter(side -> side.isReachedBy(encounter.origin(), encounter.direction().unit()));
+    }
+
+    private static List<Vector> normals(Surface surface, Vector point) {
+        if (surface instanceof Plane plane) {
+            return List.of(plane.normal().unit());
+        }
+        return surface instanceof Sphere sphere ? List.of(point.minus(sphere.centre()).unit())
+            : faces((Box) surface, point).toList();
+    }
+
+    /** Outward normals of the faces in whose planes a point of a box lies. */
+    private static Stream<Vector> faces(Box box, Vector point) {
+        Vector fromCentre = point.minus(box.centre());
+        return IntStream.range(0, 3).boxed()
+            .filter(axis -> Math.abs(Math.abs(Axes.part(fromCentre, axis)) - box.edge() / 2)
+                <= WELL_OFF * Sides.size(box, point))
+            .map(axis -> Axes.withPart(Vector.ZERO, axis, Math.signum(Axes.part(fromCentre, axis))));
+    }
+
+    /**
+     * From outside a box, it is enough that the ray comes from in front of one of the faces: the box lies behind that
+     * one.
+     */
+    private boolean isReachedBy(Vector origin, Vector direction) {
+        if (isHigh && surface instanceof Box box) {
+            return normals.stream().allMatch(normal -> Math.abs(normal.dot(direction)) > CLEAR)
+                && normals.stream().anyMatch(normal -> normal.dot(direction) < 0 && isInFrontOf(box, normal, origin));
+        }
+        return goesThrough(direction, !isHigh).orElse(false);
+    }
+
+    private static boolean isInFrontOf(Box box, Vector normal, Vector point) {
+        return normal.dot(point.minus(box.centre())) - box.edge() / 2 > WELL_OFF * Sides.size(box, point);
+    }
+
+    /**
+     * Whether a unit direction leads through the surface where the point is: up out of a body, or down into it. On an
+     * edge of a box, a direction that leads up from one face and down from another is not clear for a point outside: it
+     * may be in front of either.
+     *
+     * @return nothing if that is not clear
+     */
+    private Optional<Boolean> goesThrough(Vector direction, boolean upwards) {
+        double most = normals.stream().mapToDouble(normal -> normal.dot(direction)).max().orElseThrow();
+        double least = normals.stream().mapToDouble(normal -> normal.dot(direction)).min().orElseThrow();
+        if (most < -CLEAR) {
+            return Optional.of(!upwards);
+        }
+        return (upwards ? most : least) > CLEAR ? Optional.of(upwards) : Optional.empty();
+    }
+
+    /** Whether a ray from the point along a unit direction meets the surface at once; nothing if that is not clear. */
+    Optional<Boolean> isMetAtOnceBy(Vector direction) {
+        return normals.isEmpty() ? Optional.of(false) : goesThrough(direction, !isHigh);
+    }
+
+    /**
+     * Whether the line from the point to one well off the surface crosses the surface; nothing if that is not clear.
+     */
+    Optional<Boolean> isCrossedBetween(Vector point, Vector end) {
+        boolean endsHigh = Sides.height(surface, end) > 0;
+        if (surface instanceof Plane || !isHigh || !endsHigh) {
+            return Optional.of(isHigh != endsHigh);
+        }
+        Vector direction = end.minus(point).unit();
+        return normals.isEmpty() ? Optional.empty() : goesThrough(direction, false);
+    }
+}

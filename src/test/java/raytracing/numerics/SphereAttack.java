@@ -1,0 +1,153 @@
+package raytracing.numerics;
+
+import raytracing.math.Vector;
+
+/** Rays at spheres that look for the weak places of a kernel. */
+enum SphereAttack implements Family {
+    /**
+     * From 2^30 to 2^100 radii away, past the world's origin without a rounding; closest approach r (1 -/+ 2^-50 to
+     * 1/2).
+     */
+    DISTANT_GRAZE("grazing from afar", SphereAttack::distantGraze),
+    /** Touching exactly, or but for a few ulps of one number. */
+    TANGENT("touching but for ulps", SphereAttack::tangent),
+    /** The same from up to 2^40 away. */
+    DISTANT_TANGENT("touching but for ulps, from afar", SphereAttack::distantTangent),
+    /** Origin exactly on the sphere, or but for a few ulps of one number. */
+    ON_BUT_FOR_ULPS("on the sphere but for ulps", SphereAttack::onButForUlps),
+    /** Inside, next to the wall, and nearly along it. */
+    ALONG_THE_WALL("along the inner wall", SphereAttack::alongTheWall),
+    /** A part of the direction is below 10^-20, down to the smallest double. */
+    TINY_PART("tiny part of the direction", SphereAttack::tinyPart),
+    /** Radius and distance each between 2^-60 and 2^60. */
+    MIXED("mixed sizes", SphereAttack::mixed),
+    /** Direction 10^-160 to 10^160 long. */
+    SPEED("any length of the direction", SphereAttack::speed),
+    /** All lengths times 10^-90 to 10^90, and then the direction. */
+    UNITS("any unit of length", SphereAttack::units),
+    /** All parts of the direction are subnormal, all lengths so small that crossings are not. */
+    SLOW("subnormal direction", SphereAttack::slow),
+    /** Crossings at the ends of the doubles and beyond. */
+    ENDS("crossings at the ends of the range", SphereAttack::ends);
+
+    private final String title;
+    private final Recipe recipe;
+
+    SphereAttack(String title, SurfaceSource surface) {
+        this.title = title;
+        this.recipe = new Recipe(1, RandomNumbers::line, surface);
+    }
+
+    @Override
+    public Shape shape() {
+        return Shape.SPHERE;
+    }
+
+    @Override
+    public String title() {
+        return title;
+    }
+
+    @Override
+    public Recipe recipe() {
+        return recipe;
+    }
+
+    private static Query distantGraze(RandomNumbers random, Line line) {
+        double radius = random.magnitude(-20, 20);
+        Vector origin = line.direction().times(radius * random.magnitude(30, 100));
+        double part = 1 + random.sign() * random.magnitude(-50, -1);
+        Vector centre = random.perpendicularTo(line.direction()).times(radius * part);
+        return new Query(origin, origin.times(-random.powerOfTwo(-100, 10)), centre, radius);
+    }
+
+    private static Query tangent(RandomNumbers random, Line unused) {
+        return tangentFrom(random, random.powerOfTwo(-3, 5));
+    }
+
+    private static Query distantTangent(RandomNumbers random, Line unused) {
+        return tangentFrom(random, random.powerOfTwo(5, 41));
+    }
+
+    private static Query tangentFrom(RandomNumbers random, double steps) {
+        Vector towardsContact = Pythagorean.vector(random);
+        Vector direction = Pythagorean.perpendicularTo(towardsContact, random);
+        Vector centre = random.eighths(16);
+        Vector origin = centre.plus(towardsContact).plus(-steps, direction);
+        return besideByUlps(random, new Query(origin, direction, centre, towardsContact.length()));
+    }
+
+    /** One query in three as it is, the others with one number changed. */
+    private static Query besideByUlps(RandomNumbers random, Query query) {
+        return switch (random.random().nextInt(6)) {
+            case 0 -> new Query(random.beside(query.origin(), 3), query.direction(), query.vector(), query.scalar());
+            case 1 -> query.withDirection(random.beside(query.direction(), 3));
+            case 2 -> query.withVector(random.beside(query.vector(), 3));
+            case 3 -> new Query(query.origin(), query.direction(), query.vector(), random.beside(query.scalar(), 3));
+            default -> query;
+        };
+    }
+
+    private static Query onButForUlps(RandomNumbers random, Line line) {
+        Vector outward = Pythagorean.vector(random);
+        Vector centre = random.eighths(16);
+        Vector direction = random.oneIn(2) ? Pythagorean.perpendicularTo(outward, random) : line.direction();
+        return besideByUlps(random, new Query(centre.plus(outward), direction, centre, outward.length()));
+    }
+
+    private static Query alongTheWall(RandomNumbers random, Line line) {
+        double radius = random.magnitude(-1, 2);
+        Vector outward = random.perpendicularTo(line.direction());
+        Vector origin = outward.times(radius * (1 - random.magnitude(-52, -20)));
+        Vector direction = line.direction().plus(random.sign() * random.magnitude(-60, -2), outward);
+        return new Query(origin, direction, random.oneIn(2) ? Vector.ZERO : outward.times(0x1p-60), radius);
+    }
+
+    private static Query tinyPart(RandomNumbers random, Line line) {
+        double tiny = random.sign() * random.magnitude(-1074, -66);
+        Vector direction = Axes.withPart(line.direction(), random.axis(), tiny);
+        return passed(random, new Line(line.origin(), direction), random.between(1, 20), random.magnitude(-1, 2));
+    }
+
+    private static Query passed(RandomNumbers random, Line line, double distance, double radius) {
+        double part = random.oneIn(2) ? random.between(0, 1.5) : 1 + random.sign() * random.magnitude(-50, -9);
+        Vector aside = random.perpendicularTo(line.direction());
+        return line.with(line.at(distance).plus(radius * part, aside), radius);
+    }
+
+    private static Query mixed(RandomNumbers random, Line line) {
+        Line fromAnywhere = new Line(line.origin().times(random.magnitude(-60, 60)), line.direction());
+        return passed(random, fromAnywhere, random.sign() * random.magnitude(-60, 60), random.magnitude(-60, 60));
+    }
+
+    private static Query ordinaryOrHard(RandomNumbers random, Line line) {
+        return random.oneIn(3) ? tangent(random, line)
+            : passed(random, line, random.between(-4, 20), random.magnitude(-1, 2));
+    }
+
+    private static Query speed(RandomNumbers random, Line line) {
+        Query query = ordinaryOrHard(random, line);
+        return query.withDirection(query.direction().times(random.magnitude(-531, 531)));
+    }
+
+    private static Query units(RandomNumbers random, Line line) {
+        return inUnits(random.powerOfTwo(-299, 299), random.magnitude(-531, 531), ordinaryOrHard(random, line));
+    }
+
+    private static Query slow(RandomNumbers random, Line line) {
+        Query query = inUnits(0x1p-80, random.powerOfTwo(-1060, -1022), ordinaryOrHard(random, line));
+        return query.direction().isZero() ? slow(random, line) : query;
+    }
+
+    private static Query ends(RandomNumbers random, Line line) {
+        boolean isSmall = random.oneIn(2);
+        double lengths = isSmall ? random.powerOfTwo(-320, -270) : random.powerOfTwo(270, 320);
+        double speed = isSmall ? random.magnitude(720, 820) : random.magnitude(-820, -720);
+        return inUnits(lengths, speed, ordinaryOrHard(random, line));
+    }
+
+    private static Query inUnits(double lengths, double speed, Query query) {
+        return new Query(query.origin().times(lengths), query.direction().times(speed), query.vector().times(lengths),
+            query.scalar() * lengths);
+    }
+}

@@ -1,0 +1,67 @@
+package raytracing.numerics;
+
+import raytracing.geometry.Box;
+import raytracing.geometry.Plane;
+import raytracing.geometry.Sphere;
+import raytracing.geometry.Surface;
+import raytracing.math.Vector;
+
+/**
+ * Surfaces through a point without any rounding, as long as its parts are up to a thousand and have no digit below
+ * 2^-27.
+ */
+record Touching(RandomNumbers random, Vector point, Vector direction) {
+    Surface any() {
+        return switch (random.random().nextInt(3)) {
+            case 0 -> plane();
+            case 1 -> sphere();
+            default -> box();
+        };
+    }
+
+    Plane plane() {
+        Vector normal = random.wholes(random.oneIn(2) ? 9 : 1 << 12);
+        return normal.dot(direction) == 0 ? plane() : new Plane(normal, normal.dot(point), 0);
+    }
+
+    /** Most of them are met from outside at the point. */
+    Sphere sphere() {
+        Vector whole = Pythagorean.vector(random);
+        double size = random.powerOfTwo(-2, 2);
+        boolean turn = whole.dot(direction) < 0 != random.oneIn(5);
+        Vector towardsCentre = whole.times(turn ? -size : size);
+        return new Sphere(point.plus(towardsCentre), size * whole.length(), 0);
+    }
+
+    /** The point is a corner, or on an edge, or on a face. Most of them are met from outside there. */
+    Box box() {
+        double half = random.powerOfTwo(-2, 4);
+        boolean fromOutside = !random.oneIn(5);
+        Vector corner = new Vector(side(direction.x(), fromOutside), side(direction.y(), fromOutside),
+            side(direction.z(), fromOutside)).times(half);
+        int first = random.axis();
+        Vector edge = random.oneIn(3) ? corner : Axes.withPart(corner, first, random.whole(7) * half / 8);
+        Vector face = random.oneIn(3) ? edge : Axes.withPart(edge, (first + 1) % 3, random.whole(7) * half / 8);
+        return new Box(point.plus(face), 2 * half, 0);
+    }
+
+    private double side(double part, boolean fromOutside) {
+        return part == 0 ? random.sign() : fromOutside ? Math.signum(part) : -Math.signum(part);
+    }
+
+    /** The same surface, but for some units in the last place of one of its numbers. */
+    Surface besideByUlps(Surface surface, int ulps) {
+        boolean scalar = random.oneIn(2);
+        if (surface instanceof Plane plane) {
+            return scalar ? new Plane(plane.normal(), random.beside(plane.offset(), ulps), 0)
+                : new Plane(random.beside(plane.normal(), ulps), plane.offset(), 0);
+        }
+        if (surface instanceof Sphere sphere) {
+            return scalar ? new Sphere(sphere.centre(), random.beside(sphere.radius(), ulps), 0)
+                : new Sphere(random.beside(sphere.centre(), ulps), sphere.radius(), 0);
+        }
+        Box box = (Box) surface;
+        return scalar ? new Box(box.centre(), random.beside(box.edge(), ulps), 0)
+            : new Box(random.beside(box.centre(), ulps), box.edge(), 0);
+    }
+}
