@@ -1,6 +1,9 @@
 package raytracing.compiled;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
 import raytracing.geometry.Ray;
 import raytracing.geometry.Surface;
 import raytracing.math.Surd;
@@ -18,9 +21,6 @@ final class Crossings {
      */
     private static final double CLOSE = 0x1p-43;
 
-    private static final int NEAREST = 0;
-    private static final int OTHER = 1;
-
     private final RayWalk ray;
     private double afterDistance;
     private int afterSurface;
@@ -34,8 +34,8 @@ final class Crossings {
     /** Beyond this, a crossing comes after the one from which the query started. */
     private double clearlyAfterStart;
 
-    private final int[] exactSurfaces = {Ray.NO_SURFACE, Ray.NO_SURFACE};
-    private final Surd[] exactCrossings = {Surd.ZERO, Surd.ZERO};
+    /** Of the few surfaces of a ray whose distances are too close, by number. */
+    private final Map<Integer, Surd> exactCrossings = new HashMap<>();
 
     private boolean keepsAll;
     private double[] distances = new double[16];
@@ -50,8 +50,7 @@ final class Crossings {
     /** Begins a query for the nearest crossing of all, those at the ray's origin included. */
     void findNearest() {
         findAfter(0, Ray.NO_SURFACE);
-        exactSurfaces[NEAREST] = Ray.NO_SURFACE;
-        exactSurfaces[OTHER] = Ray.NO_SURFACE;
+        exactCrossings.clear();
         keepsAll = false;
     }
 
@@ -98,7 +97,7 @@ final class Crossings {
     }
 
     private void offerClose(double quickCrossing, int number) {
-        double crossing = Double.isNaN(quickCrossing) ? Surface.distance(ray.exactCrossing(number)) : quickCrossing;
+        double crossing = Double.isNaN(quickCrossing) ? exactDistance(number) : quickCrossing;
         if (crossing == Surface.MISS || isStart(number) || !comesBefore(afterDistance, afterSurface, crossing, number)) {
             return;
         }
@@ -133,22 +132,29 @@ final class Crossings {
         return order < 0 || order == 0 && number < otherNumber;
     }
 
-    /** The exact crossing with a surface that the ray meets, found once for the nearest so far and for the last other one. */
-    private Surd exact(int number) {
-        int place = number == surface ? NEAREST : OTHER;
-        if (exactSurfaces[place] != number) {
-            exactCrossings[place] = ray.exactCrossing(number).orElseThrow();
-            exactSurfaces[place] = number;
+    private double exactDistance(int number) {
+        Optional<Surd> crossing = ray.exactCrossing(number);
+        if (crossing.isPresent()) {
+            exactCrossings.put(number, crossing.get());
         }
-        return exactCrossings[place];
+        return Surface.distance(crossing);
+    }
+
+    /** The exact crossing with a surface that the ray meets, found once. */
+    private Surd exact(int number) {
+        if (!exactCrossings.containsKey(number)) {
+            exactCrossings.put(number, ray.exactCrossing(number).orElseThrow());
+        }
+        return exactCrossings.get(number);
     }
 
     /** Compares two crossings exactly; the ray's origin counts as a crossing of no surface. */
     private int order(double crossing, int number, double otherCrossing, int otherNumber) {
         boolean isClear = Math.abs(crossing - otherCrossing) > CLOSE * Math.min(crossing, otherCrossing);
-        return isClear || number == Ray.NO_SURFACE || otherNumber == Ray.NO_SURFACE
-            ? Double.compare(crossing, otherCrossing)
-            : exact(number).compareTo(exact(otherNumber));
+        if (isClear || number == Ray.NO_SURFACE || otherNumber == Ray.NO_SURFACE) {
+            return Double.compare(crossing, otherCrossing);
+        }
+        return ray.isSame(number, otherNumber) ? 0 : exact(number).compareTo(exact(otherNumber));
     }
 
     boolean keepsAll() {

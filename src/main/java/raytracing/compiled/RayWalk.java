@@ -153,6 +153,11 @@ public final class RayWalk {
         }
     }
 
+    /** Whether two surfaces are the same set of points, and so are crossed at once by a ray that leaves neither. */
+    boolean isSame(int number, int other) {
+        return number != surfaceLeft && other != surfaceLeft && scene.surface(number).isInPlaceOf(scene.surface(other));
+    }
+
     /** The first crossing with a surface in exact numbers, if there is one. */
     Optional<Surd> exactCrossing(int number) {
         return scene.surface(number).crossing(origin, number, new Vector(dx, dy, dz));

@@ -26,6 +26,11 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     }
 
     @Override
+    public boolean isInPlaceOf(Surface other) {
+        return other instanceof Box box && edge == box.edge && centre.equals(box.centre);
+    }
+
+    @Override
     public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
         return !staysOut(start, end, endError) && !staysIn(start, end, endError) && ExactBox.of(this).isCrossedBetween(start, number, end, endError);
     }
@@ -120,7 +125,7 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     @Override
     public void describe(Standpoint origin, int number, double dx, double dy, double dz, double distance,
                          HitPoint found) {
-        boolean isSeenFromInside = isInside(origin, number);
+        boolean isSeenFromInside = isSeenFromInside(origin, number, dx, dy, dz, distance);
         double towards = isSeenFromInside ? edge / 2 : -edge / 2;
         int faces = facesAt(origin, dx, dy, dz, distance, towards, ROUNDING * distance);
         int axis = Integer.numberOfTrailingZeros(Integer.bitCount(faces) == 1 && distance > 0 ? faces
@@ -197,14 +202,22 @@ public record Box(Vector centre, double edge, int material) implements Surface {
         found.reach(nx, ny, nz, seenFrom, number, origin);
     }
 
-    /** Whether a ray that meets the walls does so from inside; one that starts on them meets them on the far side. */
-    private boolean isInside(Standpoint origin, int number) {
+    /**
+     * Whether a ray that meets the walls does so from inside; one that starts on them meets them on the far side. Where doubles do not
+     * tell where the origin lies, the kind of face that is met at this distance does, unless both kinds are.
+     */
+    private boolean isSeenFromInside(Standpoint origin, int number, double dx, double dy, double dz, double distance) {
         if (origin.surface() == number) {
             return origin.side() == Departure.INWARD;
         }
         Answer isOutside = BoxKernel.isOutside(origin.x(), origin.y(), origin.z(), origin.error(),
             centre.x(), centre.y(), centre.z(), edge / 2);
-        return isOutside == Answer.UNDECIDED ? side(origin, number) <= 0 : isOutside == Answer.NO;
+        if (isOutside != Answer.UNDECIDED) {
+            return isOutside == Answer.NO;
+        }
+        boolean isEntered = facesAt(origin, dx, dy, dz, distance, -edge / 2, ROUNDING * distance) != 0;
+        boolean isLeft = facesAt(origin, dx, dy, dz, distance, edge / 2, ROUNDING * distance) != 0;
+        return distance > 0 && isEntered != isLeft ? isLeft : side(origin, number) <= 0;
     }
 
     /** How far from this distance the ray passes a face's plane: 0 for the face that it meets there. */

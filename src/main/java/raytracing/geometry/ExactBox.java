@@ -42,6 +42,10 @@ record ExactBox(DyadicVector centre, Dyadic half) {
             return sideOfNear <= 0 && sideOfFar >= 0;
         }
 
+        boolean startsOnFace() {
+            return sideOfNear == 0 || sideOfFar == 0;
+        }
+
         /** Whether the ray is never between the faces after its start. */
         boolean staysOut() {
             return isCrossed() ? sideOfFar <= 0 : !startsIn();
@@ -75,12 +79,16 @@ record ExactBox(DyadicVector centre, Dyadic half) {
     /** The first crossing of a ray that does not leave this cube outwards. */
     Optional<Surd> firstCrossing(Standpoint origin, int number, Vector direction) {
         Slab[] slabs = slabs(origin, number, DyadicVector.of(direction));
-        int entered = entered(slabs);
-        if (entered == NONE) {
+        if (slabs[0].staysOut() || slabs[1].staysOut() || slabs[2].staysOut()) {
             return Optional.empty();
         }
-        Slab slab = startsIn(slabs) ? slabs[left(slabs)] : slabs[entered];
-        return Optional.of(Surd.quotient(startsIn(slabs) ? slab.wayToFar() : slab.wayToNear(), slab.speed()));
+        Slab left = slabs[left(slabs)];
+        if (startsIn(slabs)) {
+            return Optional.of(Surd.quotient(left.wayToFar(), left.speed()));
+        }
+        Slab entered = slabs[entered(slabs)];
+        return entered.isEnteredAfterLeaving(left) ? Optional.empty()
+            : Optional.of(Surd.quotient(entered.wayToNear(), entered.speed()));
     }
 
     /** The faces that a ray which meets the cube crosses at once there, as a bit 1 &lt;&lt; axis for each. */
@@ -147,7 +155,7 @@ record ExactBox(DyadicVector centre, Dyadic half) {
     }
 
     private static int side(Slab slab) {
-        return !slab.startsIn() ? 1 : slab.sideOfNear() == 0 || slab.sideOfFar() == 0 ? 0 : -1;
+        return !slab.startsIn() ? 1 : slab.startsOnFace() ? 0 : -1;
     }
 
     /** The same for the two faces on one axis: 1 outside, -1 between them, 0 on one of them. */
@@ -161,28 +169,39 @@ record ExactBox(DyadicVector centre, Dyadic half) {
         if (!startsIn(slabs)) {
             return slabs;
         }
-        Slab[] before = slabs(start.seenFrom(), start.seenFromError(), direction);
         Departure departure = start.surface() == number ? start.side() : start.sideSeenFrom(number);
         for (int axis = 0; axis < AXES; axis++) {
-            int near = before[axis].sideOfNear();
-            int far = before[axis].sideOfFar();
-            slabs[axis] = switch (departure) {
-                case INWARD -> slabs[axis].withSides(-1, 1);
-                case OUTWARD -> slabs[axis].withSides(near == 0 ? 1 : near, far == 0 ? -1 : far);
-                case ELSEWHERE -> slabs[axis].withSides(near, far);
-            };
+            if (slabs[axis].startsOnFace()) {
+                slabs[axis] = departure == Departure.INWARD ? slabs[axis].withSides(-1, 1)
+                    : seen(slabs[axis], slab(start.seenFrom(), start.seenFromError(), direction, axis), departure);
+            }
         }
         return slabs;
     }
 
-    /** The same for a start of which only the place is known. */
-    private Slab[] slabs(Vector start, double error, DyadicVector direction) {
-        DyadicVector toMiddle = centre.minus(DyadicVector.of(start));
-        return new Slab[] {slab(toMiddle.x(), error, direction.x()), slab(toMiddle.y(), error, direction.y()),
-            slab(toMiddle.z(), error, direction.z())};
+    /** With the start on that side of each face that it is on from which it was seen; or, if that is on it too, to which it was left. */
+    private static Slab seen(Slab slab, Slab from, Departure departure) {
+        int near = from.sideOfNear();
+        int far = from.sideOfFar();
+        return departure == Departure.OUTWARD ? slab.withSides(near == 0 ? 1 : near, far == 0 ? -1 : far)
+            : slab.withSides(near, far);
     }
 
-    private Slab slab(Dyadic toMiddle, double error, Dyadic direction) {
+    /** The same for a start of which only the place is known. */
+    private Slab[] slabs(Vector start, double error, DyadicVector direction) {
+        return new Slab[] {slab(start, error, direction, 0), slab(start, error, direction, 1),
+            slab(start, error, direction, 2)};
+    }
+
+    private Slab slab(Vector start, double error, DyadicVector direction, int axis) {
+        return switch (axis) {
+            case 0 -> slab(centre.x().minus(Dyadic.of(start.x())), Dyadic.of(error), direction.x());
+            case 1 -> slab(centre.y().minus(Dyadic.of(start.y())), Dyadic.of(error), direction.y());
+            default -> slab(centre.z().minus(Dyadic.of(start.z())), Dyadic.of(error), direction.z());
+        };
+    }
+
+    private Slab slab(Dyadic toMiddle, Dyadic error, Dyadic direction) {
         Dyadic ahead = direction.signum() < 0 ? toMiddle.negated() : toMiddle;
         Dyadic near = beyond(ahead.minus(half), error);
         Dyadic far = beyond(ahead.plus(half), error);
@@ -190,26 +209,23 @@ record ExactBox(DyadicVector centre, Dyadic half) {
     }
 
     /** A way, or 0 if it is within an error. */
-    private static Dyadic beyond(Dyadic way, double error) {
-        return way.abs().compareTo(Dyadic.of(error)) <= 0 ? Dyadic.ZERO : way;
+    private static Dyadic beyond(Dyadic way, Dyadic error) {
+        return way.abs().compareTo(error) <= 0 ? Dyadic.ZERO : way;
     }
 
     private static boolean startsIn(Slab... slabs) {
         return slabs[0].startsIn() && slabs[1].startsIn() && slabs[2].startsIn();
     }
 
-    /** The axis whose near face is passed last of all, of equal ones the first; none if the ray does not meet the cube. */
+    /** The axis whose near face is passed last of all, of equal ones the first. */
     private static int entered(Slab... slabs) {
         int entered = NONE;
         for (int axis = 0; axis < AXES; axis++) {
-            if (slabs[axis].staysOut()) {
-                return NONE;
-            }
             if (slabs[axis].isCrossed() && (entered == NONE || slabs[axis].isEnteredAfterEntering(slabs[entered]))) {
                 entered = axis;
             }
         }
-        return slabs[entered].isEnteredAfterLeaving(slabs[left(slabs)]) ? NONE : entered;
+        return entered;
     }
 
     /** The axis whose far face is passed first of all, of equal ones the first. */

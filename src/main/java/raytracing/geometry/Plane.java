@@ -20,6 +20,11 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
     }
 
     @Override
+    public boolean isInPlaceOf(Surface other) {
+        return other instanceof Plane plane && offset == plane.offset && normal.equals(plane.normal);
+    }
+
+    @Override
     public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
         if (PlaneKernel.isOn(end.x(), end.y(), end.z(), endError, normal.x(), normal.y(), normal.z(), offset)) {
             return false;                    // a lamp on a wall, which many lines lead to

@@ -25,6 +25,11 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     }
 
     @Override
+    public boolean isInPlaceOf(Surface other) {
+        return other instanceof Sphere sphere && radius == sphere.radius && centre.equals(sphere.centre);
+    }
+
+    @Override
     public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
         Answer quick = isCrossedToWall(start, end, endError);
         return quick != Answer.UNDECIDED ? quick == Answer.YES : ExactSphere.of(this).isCrossedBetween(start, number, end, endError);

@@ -1,6 +1,7 @@
 package raytracing.geometry;
 
 import raytracing.math.CompensatedSum;
+import raytracing.math.Vector;
 
 /**
  * Ray-sphere arithmetic on bare doubles, world axes. {@link Sphere} and the compiled scene both call it.
@@ -62,6 +63,10 @@ public final class SphereKernel {
 
     /** (16 u)^2: the power's error is at most 8 u times its larger term (proved). */
     private static final double SQUARED_POWER_ERROR = 0x1p-98;
+
+    /** A point whose power is above this share of the larger term is off the sphere if its error is below a 32nd of its root. */
+    private static final double CLEAR_SIDE = 0x1p-2;
+    private static final double FAR_FROM_ERROR = 0x1p10;
 
     /** Of the squared way to the centre, how much must lie along a ray across: b's error is then at most 12 u of it. */
     private static final double CLEAR_ACROSS = 0x1p-3;
@@ -346,17 +351,24 @@ public final class SphereKernel {
         if (side < 0 || endSide < 0) {
             return answer(side != endSide);
         }
-        double dx = qx - px;
-        double dy = qy - py;
-        double dz = qz - pz;
+        double scale = ordinaryScale(qx - px, qy - py, qz - pz);
+        double dx = scale * (qx - px);
+        double dy = scale * (qy - py);
+        double dz = scale * (qz - pz);
         double a = dx * dx + dy * dy + dz * dz;
         double r2a = a * squaredRadius;
         double discriminant = discriminant(fx, fy, fz, dx, dy, dz, r2a);
         if (isOrdinary(a) && isCertain(discriminant, SQUARED_ERROR * a * squaredDistance, r2a)) {
-            double b = -(fx * dx + fy * dy + fz * dz);
-            return answer(discriminant > 0 && b > 0 && b < a);   // the closest approach lies inside, between the ends
+            // the closest approach lies inside, between the ends
+            return answer(discriminant > 0 && fx * dx + fy * dy + fz * dz < 0 && gx * dx + gy * dy + gz * dz > 0);
         }
         return Answer.UNDECIDED;
+    }
+
+    /** A power of two that brings a direction near 1; 1 for ordinary ones. */
+    private static double ordinaryScale(double dx, double dy, double dz) {
+        return isOrdinary(dx * dx + dy * dy + dz * dz) ? 1
+            : Math.scalb(1.0, -Math.getExponent(Vector.largestPart(dx, dy, dz)));
     }
 
     /**
@@ -430,6 +442,10 @@ public final class SphereKernel {
     private static int side(double squaredDistance, double squaredRadius, double pointError) {
         double power = squaredDistance - squaredRadius;
         double larger = Math.max(squaredDistance, squaredRadius);
+        if (Math.abs(power) > CLEAR_SIDE * larger && larger > FAR_FROM_ERROR * pointError * pointError
+                && larger > SMALL_SQUARE && larger < Surface.MISS) {
+            return power > 0 ? 1 : -1;       // twice as much as the doubt below, and nothing is squared again
+        }
         // the power of a point within its error of the sphere is at most sqrt(12) of it times its distance, and rounded
         double squaredDoubt = (16 * pointError * pointError + SQUARED_POWER_ERROR * larger) * larger
             + SMALL_SQUARE * SMALL_SQUARE;

@@ -55,6 +55,14 @@ public sealed interface Surface permits Sphere, Plane, Box {
     int side(Standpoint point, int number);
 
     /**
+     * Whether another surface is the same set of points, written with the same numbers.
+     *
+     * @param other any surface
+     * @return false also of equal sets that are written otherwise
+     */
+    boolean isInPlaceOf(Surface other);
+
+    /**
      * Where a ray first meets this surface, in doubles.
      *
      * @param ray the ray, its direction of any length but 0
