@@ -20,6 +20,7 @@ final class Crossings {
      * two crossings, each at most 16 units in the last place.
      */
     private static final double CLOSE = 0x1p-43;
+    private static final double NEARER = 1 - CLOSE;
 
     private final RayWalk ray;
     private double afterDistance;
@@ -78,7 +79,7 @@ final class Crossings {
         distance = crossing;
         surface = number;
         clearlyAfterFound = crossing * (1 + CLOSE);
-        clearlyBeforeFound = crossing * (1 - CLOSE);
+        clearlyBeforeFound = NEARER * crossing;
     }
 
     /**
@@ -89,7 +90,11 @@ final class Crossings {
         if (crossing > clearlyAfterFound || crossing == Surface.MISS) {
             return;
         }
-        if (crossing > clearlyAfterStart && crossing < clearlyBeforeFound && !keepsAll) {
+        if (!(crossing > clearlyAfterStart)) {
+            offerClose(crossing, number);
+        } else if (keepsAll) {
+            keep(crossing, number);
+        } else if (crossing < clearlyBeforeFound) {
             find(crossing, number);
         } else {
             offerClose(crossing, number);
@@ -128,6 +133,9 @@ final class Crossings {
     }
 
     private boolean comesBefore(double crossing, int number, double otherCrossing, int otherNumber) {
+        if (crossing < NEARER * otherCrossing || otherCrossing < NEARER * crossing) {
+            return crossing < otherCrossing;
+        }
         int order = order(crossing, number, otherCrossing, otherNumber);
         return order < 0 || order == 0 && number < otherNumber;
     }
@@ -148,10 +156,9 @@ final class Crossings {
         return exactCrossings.get(number);
     }
 
-    /** Compares two crossings exactly; the ray's origin counts as a crossing of no surface. */
+    /** Compares two close crossings exactly; the ray's origin, and a miss, count as a crossing of no surface. */
     private int order(double crossing, int number, double otherCrossing, int otherNumber) {
-        boolean isClear = Math.abs(crossing - otherCrossing) > CLOSE * Math.min(crossing, otherCrossing);
-        if (isClear || number == Ray.NO_SURFACE || otherNumber == Ray.NO_SURFACE) {
+        if (number == Ray.NO_SURFACE || otherNumber == Ray.NO_SURFACE) {
             return Double.compare(crossing, otherCrossing);
         }
         return ray.isSame(number, otherNumber) ? 0 : exact(number).compareTo(exact(otherNumber));

@@ -29,10 +29,16 @@ final class PlaneArray {
 
     /** Offers the crossing of a ray with every plane but the one it leaves. */
     void offerCrossings(RayWalk ray, Crossings crossings) {
-        for (int i = 0; i < number.length; i++) {
-            if (number[i] != ray.surfaceLeft) {
+        // as the loop calls methods, the virtual machine would read fields again for each plane
+        double[] nx = x;
+        double[] ny = y;
+        double[] nz = z;
+        double[] c = offset;
+        int[] numbers = number;
+        for (int i = 0; i < numbers.length; i++) {
+            if (numbers[i] != ray.surfaceLeft) {
                 crossings.offer(PlaneKernel.firstCrossing(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.originError,
-                    x[i], y[i], z[i], offset[i]), number[i]);
+                    nx[i], ny[i], nz[i], c[i]), numbers[i]);
             }
         }
     }

@@ -56,12 +56,19 @@ final class SphereArray extends BodyArray {
         double dx = ray.dx;
         double dy = ray.dy;
         double dz = ray.dz;
+        double error = ray.originError;
+        int left = ray.surfaceLeft;
+        // as the loop calls methods, the virtual machine would read fields again for each sphere
+        double[] cx = x;
+        double[] cy = y;
+        double[] cz = z;
+        double[] r = radius;
+        int[] numbers = number;
         for (int i = from; i < to; i++) {
-            if (number[i] != ray.surfaceLeft
-                    && !SphereKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, ray.originError,
-                    x[i], y[i], z[i], radius[i])) {
-                crossings.offer(SphereKernel.firstCrossing(ox, oy, oz, dx, dy, dz, ray.originError,
-                    x[i], y[i], z[i], radius[i]), number[i]);
+            if (numbers[i] != left
+                    && !SphereKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, error, cx[i], cy[i], cz[i], r[i])) {
+                crossings.offer(SphereKernel.firstCrossing(ox, oy, oz, dx, dy, dz, error, cx[i], cy[i], cz[i], r[i]),
+                    numbers[i]);
             }
         }
     }
