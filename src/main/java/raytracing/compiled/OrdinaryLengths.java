@@ -15,7 +15,8 @@ import raytracing.scene.Scene;
 /**
  * Brings scenes of huge or tiny lengths to ordinary ones, where the quick questions about surfaces have an answer: squares
  * stay in the range of doubles. Only ratios of lengths are seen, so a power of two changes no bit of the picture; a scene
- * that would lose a digit, as it mixes huge and tiny, stays as it is. Where the camera looks is no length: only the direction counts.
+ * that would lose a digit, as it mixes huge and tiny, stays as it is. The point at which the camera looks is no length:
+ * only its direction counts.
  */
 public final class OrdinaryLengths {
     /** Products of six lengths between 2^-100 and 2^100 are normal numbers. */

@@ -32,10 +32,11 @@ public record Box(Vector centre, double edge, int material) implements Surface {
 
     @Override
     public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
-        return !staysOut(start, end, endError) && !staysIn(start, end, endError) && ExactBox.of(this).isCrossedBetween(start, number, end, endError);
+        return !staysOut(start, end, endError) && !staysIn(start, end, endError)
+            && ExactBox.of(this).isCrossedBetween(start, number, end, endError);
     }
 
-    /** Whether a line to a lamp on a wall certainly stays before it: it starts in front of a face, and ends there or on its plane. */
+    /** Whether a line certainly stays before a face, as to a lamp on it: it starts in front, and ends there or on its plane. */
     private boolean staysOut(Standpoint start, Vector end, double endError) {
         return staysOut(start.x(), start.error(), end.x(), endError, centre.x())
             || staysOut(start.y(), start.error(), end.y(), endError, centre.y())
@@ -48,7 +49,7 @@ public record Box(Vector centre, double edge, int material) implements Surface {
             && BoxKernel.outside(end, sign, middle, edge / 2) >= -(1 - ROUNDING) * endError;
     }
 
-    /** Whether a line to a lamp on a wall certainly comes from within: it starts inside, and ends there or on the wall. */
+    /** Whether a line certainly stays inside, as to a lamp on the inner wall: it starts inside, and ends there or on a wall. */
     private boolean staysIn(Standpoint start, Vector end, double endError) {
         return staysIn(start.x(), start.error(), end.x(), endError, centre.x())
             && staysIn(start.y(), start.error(), end.y(), endError, centre.y())
@@ -56,9 +57,12 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     }
 
     private boolean staysIn(double start, double startError, double end, double endError, double middle) {
-        double startOutside = Math.max(BoxKernel.outside(start, 1, middle, edge / 2), BoxKernel.outside(start, -1, middle, edge / 2));
-        double endOutside = Math.max(BoxKernel.outside(end, 1, middle, edge / 2), BoxKernel.outside(end, -1, middle, edge / 2));
-        return startOutside < -(1 + ROUNDING) * startError && endOutside <= (1 - ROUNDING) * endError;
+        return outside(start, middle) < -(1 + ROUNDING) * startError && outside(end, middle) <= (1 - ROUNDING) * endError;
+    }
+
+    /** How far a point is outside both faces of an axis, below 0 between them. */
+    private double outside(double point, double middle) {
+        return Math.max(BoxKernel.outside(point, 1, middle, edge / 2), BoxKernel.outside(point, -1, middle, edge / 2));
     }
 
     @Override
@@ -203,8 +207,8 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     }
 
     /**
-     * Whether a ray that meets the walls does so from inside; one that starts on them meets them on the far side. Where doubles do not
-     * tell where the origin lies, the kind of face that is met at this distance does, unless both kinds are.
+     * Whether a ray that meets the walls does so from inside; one that starts on them meets them on the far side. Where
+     * doubles do not tell where the origin lies, the kind of face that is met at this distance does, unless both kinds are.
      */
     private boolean isSeenFromInside(Standpoint origin, int number, double dx, double dy, double dz, double distance) {
         if (origin.surface() == number) {

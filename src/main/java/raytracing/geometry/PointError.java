@@ -4,8 +4,9 @@ import raytracing.math.Vector;
 
 /**
  * How far the parts of a point may be off from where it is meant to be. A secondary ray starts at a rounded point; where
- * the rounding leaves open on which side of some surface that is, the point lies on that surface. So surfaces that touch
- * or coincide cast no shadow on each other at random, at any scale, and no length is ever called small.
+ * the rounding leaves open on which side of some surface that is, the point touches that surface, and {@link Standpoint} knows the
+ * side. So surfaces that touch or coincide cast no shadow on each other at random, at any scale, and no length is ever called
+ * small.
  */
 public final class PointError {
     /**
