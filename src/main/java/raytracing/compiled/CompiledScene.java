@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import raytracing.geometry.Answer;
 import raytracing.geometry.Box;
 import raytracing.geometry.Departure;
 import raytracing.geometry.HitPoint;
@@ -196,8 +197,9 @@ public final class CompiledScene {
             && surfaces[hit.surface()].isLeftBefore(qx, qy, qz, endError);
     }
 
-    /** Whether a straight line from a hit crosses another surface, decided exactly. */
-    boolean isCrossedBetween(HitPoint hit, int surface, double qx, double qy, double qz, double endError) {
-        return surfaces[surface].isCrossedBetween(hit.place(), surface, new Vector(qx, qy, qz), endError);
+    /** Whether a straight line from a hit crosses another surface, given what doubles say; decided exactly if they cannot. */
+    boolean isCrossed(Answer quick, HitPoint hit, int surface, double qx, double qy, double qz, double endError) {
+        return quick == Answer.UNDECIDED
+            ? surfaces[surface].isCrossedBetween(hit.place(), surface, new Vector(qx, qy, qz), endError) : quick == Answer.YES;
     }
 }

@@ -90,11 +90,10 @@ final class Crossings {
         if (crossing > clearlyAfterFound || crossing == Surface.MISS) {
             return;
         }
-        if (!(crossing > clearlyAfterStart)) {
-            offerClose(crossing, number);
-        } else if (keepsAll) {
+        boolean isClearlyAfterStart = crossing > clearlyAfterStart;
+        if (isClearlyAfterStart && keepsAll) {
             keep(crossing, number);
-        } else if (crossing < clearlyBeforeFound) {
+        } else if (isClearlyAfterStart && crossing < clearlyBeforeFound) {
             find(crossing, number);
         } else {
             offerClose(crossing, number);
@@ -103,7 +102,7 @@ final class Crossings {
 
     private void offerClose(double quickCrossing, int number) {
         double crossing = Double.isNaN(quickCrossing) ? exactDistance(number) : quickCrossing;
-        if (crossing == Surface.MISS || isStart(number) || !comesBefore(afterDistance, afterSurface, crossing, number)) {
+        if (crossing == Surface.MISS || number == afterSurface || !comesBefore(afterDistance, afterSurface, crossing, number)) {
             return;
         }
         if (keepsAll) {
@@ -111,10 +110,6 @@ final class Crossings {
         } else if (comesBefore(crossing, number, distance, surface)) {
             find(crossing, number);
         }
-    }
-
-    private boolean isStart(int number) {
-        return number == afterSurface;
     }
 
     private void keep(double crossing, int number) {

@@ -79,6 +79,6 @@ public final class ShadowLine {
 
     /** Whether this line crosses a surface, given what doubles say. */
     boolean isCrossing(Answer quick, int surface) {
-        return quick == Answer.UNDECIDED ? scene.isCrossedBetween(hit, surface, qx, qy, qz, endError) : quick == Answer.YES;
+        return scene.isCrossed(quick, hit, surface, qx, qy, qz, endError);
     }
 }

@@ -357,8 +357,7 @@ public final class ShadowShaft {
 
     /** Whether the present line crosses a surface, given what doubles say. */
     boolean isCrossing(Answer quick, int surface) {
-        return quick == Answer.UNDECIDED ? scene.isCrossedBetween(hit, surface, endX(), endY(), endZ(), endError)
-            : quick == Answer.YES;
+        return scene.isCrossed(quick, hit, surface, endX(), endY(), endZ(), endError);
     }
 
     /** Whether the present line ends outside a body. */

@@ -32,7 +32,8 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     @Override
     public boolean isCrossedBetween(Standpoint start, int number, Vector end, double endError) {
         Answer quick = isCrossedToWall(start, end, endError);
-        return quick != Answer.UNDECIDED ? quick == Answer.YES : ExactSphere.of(this).isCrossedBetween(start, number, end, endError);
+        return quick == Answer.UNDECIDED ? ExactSphere.of(this).isCrossedBetween(start, number, end, endError)
+            : quick == Answer.YES;
     }
 
     /** For a lamp on the wall, which many lines lead to: from inside no line crosses it, from outside those through the ball do. */

@@ -50,7 +50,7 @@ public final class Standpoint {
         place(pointX, pointY, pointZ, pointError);
         surface = surfaceThere;
         side = sideThere;
-        seeFromHere();
+        seeFrom(this);
     }
 
     /**
@@ -74,13 +74,13 @@ public final class Standpoint {
         return Math.max(-Double.MAX_VALUE, Math.min(Double.MAX_VALUE, number));
     }
 
-    private void seeFromHere() {
-        seenFromX = x;
-        seenFromY = y;
-        seenFromZ = z;
-        seenFromError = error;
-        surfaceSeenFrom = surface;
-        sideSeenFrom = side;
+    private void seeFrom(Standpoint place) {
+        seenFromX = place.x;
+        seenFromY = place.y;
+        seenFromZ = place.z;
+        seenFromError = place.error;
+        surfaceSeenFrom = place.surface;
+        sideSeenFrom = place.side;
     }
 
     /**
@@ -97,12 +97,7 @@ public final class Standpoint {
         if (way <= STILL_THERE * origin.error) {
             takeView(origin);
         } else {
-            seenFromX = origin.x;
-            seenFromY = origin.y;
-            seenFromZ = origin.z;
-            seenFromError = origin.error;
-            surfaceSeenFrom = origin.surface;
-            sideSeenFrom = origin.side;
+            seeFrom(origin);
         }
     }
 
