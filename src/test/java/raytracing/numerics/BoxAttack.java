@@ -75,7 +75,7 @@ enum BoxAttack implements Family {
         Line line = new Line(random.eighths(8), random.eighths(1));
         double edge = random.powerOfTwo(-3, 4);
         Vector point = line.at(random.powerOfTwo(-3, 7));
-        return besideByUlps(random, line.with(point.plus(towardsCentre(random, edge / 2)), edge));
+        return random.besideByUlps(line.with(point.plus(towardsCentre(random, edge / 2)), edge));
     }
 
     private static Query onButForUlps(RandomNumbers random, Line line) {
@@ -86,18 +86,7 @@ enum BoxAttack implements Family {
             case 1 -> Axes.withPart(line.direction(), random.axis(), random.zero());
             default -> Axes.withPart(line.direction(), random.axis(), random.sign() * random.magnitude(-1074, -40));
         };
-        return besideByUlps(random,
-            new Query(origin, direction, origin.plus(towardsCentre(random, edge / 2)), edge));
-    }
-
-    private static Query besideByUlps(RandomNumbers random, Query query) {
-        return switch (random.random().nextInt(6)) {
-            case 0 -> new Query(random.beside(query.origin(), 3), query.direction(), query.vector(), query.scalar());
-            case 1 -> query.withDirection(random.beside(query.direction(), 3));
-            case 2 -> query.withVector(random.beside(query.vector(), 3));
-            case 3 -> new Query(query.origin(), query.direction(), query.vector(), random.beside(query.scalar(), 3));
-            default -> query;
-        };
+        return random.besideByUlps(new Query(origin, direction, origin.plus(towardsCentre(random, edge / 2)), edge));
     }
 
     private static Query tenths(RandomNumbers random, Line unused) {
@@ -133,11 +122,14 @@ enum BoxAttack implements Family {
     }
 
     private static Query units(RandomNumbers random, Line line) {
-        return inUnits(random.powerOfTwo(-640, 640), random.magnitude(-300, 300), ordinaryOrHard(random, line));
+        double lengths = random.powerOfTwo(-640, 640);
+        double speed = random.magnitude(-300, 300);
+        return ordinaryOrHard(random, line).inUnits(lengths, speed);
     }
 
     private static Query slow(RandomNumbers random, Line line) {
-        Query query = inUnits(0x1p-80, random.powerOfTwo(-1060, -1022), ordinaryOrHard(random, line));
+        double speed = random.powerOfTwo(-1060, -1022);
+        Query query = ordinaryOrHard(random, line).inUnits(0x1p-80, speed);
         return query.direction().isZero() ? slow(random, line) : query;
     }
 
@@ -145,11 +137,6 @@ enum BoxAttack implements Family {
         boolean isSmall = random.oneIn(2);
         double lengths = isSmall ? random.powerOfTwo(-320, -270) : random.powerOfTwo(270, 320);
         double speed = isSmall ? random.magnitude(720, 820) : random.magnitude(-820, -720);
-        return inUnits(lengths, speed, ordinaryOrHard(random, line));
-    }
-
-    private static Query inUnits(double lengths, double speed, Query query) {
-        return new Query(query.origin().times(lengths), query.direction().times(speed), query.vector().times(lengths),
-            query.scalar() * lengths);
+        return ordinaryOrHard(random, line).inUnits(lengths, speed);
     }
 }

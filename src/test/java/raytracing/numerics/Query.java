@@ -39,6 +39,11 @@ public record Query(Vector origin, Vector direction, Vector vector, double scala
         return new Query(origin, direction, other, scalar);
     }
 
+    /** With all lengths and the ray's speed in other units; of a sphere or a box. */
+    Query inUnits(double lengths, double speed) {
+        return new Query(origin.times(lengths), direction.times(speed), vector.times(lengths), scalar * lengths);
+    }
+
     /** As a line of Java, in hexadecimal, so that a failure can be repeated to the last bit. */
     @Override
     public String toString() {

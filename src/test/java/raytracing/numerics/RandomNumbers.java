@@ -83,6 +83,17 @@ record RandomNumbers(SplittableRandom random) {
         return Axes.withPart(point, axis, beside(Axes.part(point, axis), ulps));
     }
 
+    /** One query in three as it is, the others with one number moved by up to three units in its last place. */
+    Query besideByUlps(Query query) {
+        return switch (random.nextInt(6)) {
+            case 0 -> new Query(beside(query.origin(), 3), query.direction(), query.vector(), query.scalar());
+            case 1 -> query.withDirection(beside(query.direction(), 3));
+            case 2 -> query.withVector(beside(query.vector(), 3));
+            case 3 -> new Query(query.origin(), query.direction(), query.vector(), beside(query.scalar(), 3));
+            default -> query;
+        };
+    }
+
     int axis() {
         return random.nextInt(3);
     }

@@ -74,25 +74,14 @@ enum SphereAttack implements Family {
         Vector direction = Pythagorean.perpendicularTo(towardsContact, random);
         Vector centre = random.eighths(16);
         Vector origin = centre.plus(towardsContact).plus(-steps, direction);
-        return besideByUlps(random, new Query(origin, direction, centre, towardsContact.length()));
-    }
-
-    /** One query in three as it is, the others with one number changed. */
-    private static Query besideByUlps(RandomNumbers random, Query query) {
-        return switch (random.random().nextInt(6)) {
-            case 0 -> new Query(random.beside(query.origin(), 3), query.direction(), query.vector(), query.scalar());
-            case 1 -> query.withDirection(random.beside(query.direction(), 3));
-            case 2 -> query.withVector(random.beside(query.vector(), 3));
-            case 3 -> new Query(query.origin(), query.direction(), query.vector(), random.beside(query.scalar(), 3));
-            default -> query;
-        };
+        return random.besideByUlps(new Query(origin, direction, centre, towardsContact.length()));
     }
 
     private static Query onButForUlps(RandomNumbers random, Line line) {
         Vector outward = Pythagorean.vector(random);
         Vector centre = random.eighths(16);
         Vector direction = random.oneIn(2) ? Pythagorean.perpendicularTo(outward, random) : line.direction();
-        return besideByUlps(random, new Query(centre.plus(outward), direction, centre, outward.length()));
+        return random.besideByUlps(new Query(centre.plus(outward), direction, centre, outward.length()));
     }
 
     private static Query alongTheWall(RandomNumbers random, Line line) {
@@ -131,11 +120,14 @@ enum SphereAttack implements Family {
     }
 
     private static Query units(RandomNumbers random, Line line) {
-        return inUnits(random.powerOfTwo(-299, 299), random.magnitude(-531, 531), ordinaryOrHard(random, line));
+        double lengths = random.powerOfTwo(-299, 299);
+        double speed = random.magnitude(-531, 531);
+        return ordinaryOrHard(random, line).inUnits(lengths, speed);
     }
 
     private static Query slow(RandomNumbers random, Line line) {
-        Query query = inUnits(0x1p-80, random.powerOfTwo(-1060, -1022), ordinaryOrHard(random, line));
+        double speed = random.powerOfTwo(-1060, -1022);
+        Query query = ordinaryOrHard(random, line).inUnits(0x1p-80, speed);
         return query.direction().isZero() ? slow(random, line) : query;
     }
 
@@ -143,11 +135,6 @@ enum SphereAttack implements Family {
         boolean isSmall = random.oneIn(2);
         double lengths = isSmall ? random.powerOfTwo(-320, -270) : random.powerOfTwo(270, 320);
         double speed = isSmall ? random.magnitude(720, 820) : random.magnitude(-820, -720);
-        return inUnits(lengths, speed, ordinaryOrHard(random, line));
-    }
-
-    private static Query inUnits(double lengths, double speed, Query query) {
-        return new Query(query.origin().times(lengths), query.direction().times(speed), query.vector().times(lengths),
-            query.scalar() * lengths);
+        return ordinaryOrHard(random, line).inUnits(lengths, speed);
     }
 }
