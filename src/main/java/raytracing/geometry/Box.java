@@ -83,30 +83,9 @@ public record Box(Vector centre, double edge, int material) implements Surface {
     }
 
     @Override
-    public double quickCrossing(Ray ray, Departure departure) {
-        Vector o = ray.origin();
-        Vector d = ray.direction();
-        return switch (departure) {
-            case ELSEWHERE -> BoxKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
-                centre.x(), centre.y(), centre.z(), edge / 2);
-            case INWARD -> BoxKernel.acrossFromInnerWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
-                centre.x(), centre.y(), centre.z(), edge / 2);
-            case OUTWARD -> MISS;
-        };
-    }
-
-    @Override
     public double farWall(Standpoint origin, double dx, double dy, double dz) {
         return BoxKernel.acrossFromInnerWall(origin.x(), origin.y(), origin.z(), dx, dy, dz, origin.error(),
             centre.x(), centre.y(), centre.z(), edge / 2);
-    }
-
-    @Override
-    public Answer quicklyCrosses(Segment segment) {
-        Vector p = segment.start();
-        Vector q = segment.end();
-        return BoxKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
-            q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), edge / 2);
     }
 
     @Override

@@ -39,25 +39,6 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
     }
 
     @Override
-    public double quickCrossing(Ray ray, Departure departure) {
-        if (departure != Departure.ELSEWHERE) {
-            return MISS;                     // a straight line leaves a plane once
-        }
-        Vector o = ray.origin();
-        Vector d = ray.direction();
-        return PlaneKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
-            normal.x(), normal.y(), normal.z(), offset);
-    }
-
-    @Override
-    public Answer quicklyCrosses(Segment segment) {
-        Vector p = segment.start();
-        Vector q = segment.end();
-        return PlaneKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
-            q.x(), q.y(), q.z(), segment.endError(), normal.x(), normal.y(), normal.z(), offset);
-    }
-
-    @Override
     public double farWall(Standpoint origin, double dx, double dy, double dz) {
         return MISS;
     }

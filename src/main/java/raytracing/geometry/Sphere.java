@@ -58,30 +58,9 @@ public record Sphere(Vector centre, double radius, int material) implements Surf
     }
 
     @Override
-    public double quickCrossing(Ray ray, Departure departure) {
-        Vector o = ray.origin();
-        Vector d = ray.direction();
-        return switch (departure) {
-            case ELSEWHERE -> SphereKernel.firstCrossing(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), ray.originError(),
-                centre.x(), centre.y(), centre.z(), radius);
-            case INWARD -> SphereKernel.acrossFromInnerWall(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(),
-                centre.x(), centre.y(), centre.z());
-            case OUTWARD -> MISS;
-        };
-    }
-
-    @Override
     public double farWall(Standpoint origin, double dx, double dy, double dz) {
         return SphereKernel.acrossFromInnerWall(origin.x(), origin.y(), origin.z(), dx, dy, dz,
             centre.x(), centre.y(), centre.z());
-    }
-
-    @Override
-    public Answer quicklyCrosses(Segment segment) {
-        Vector p = segment.start();
-        Vector q = segment.end();
-        return SphereKernel.crossesBetween(p.x(), p.y(), p.z(), segment.startError(),
-            q.x(), q.y(), q.z(), segment.endError(), centre.x(), centre.y(), centre.z(), radius);
     }
 
     @Override

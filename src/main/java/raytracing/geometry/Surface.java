@@ -63,23 +63,6 @@ public sealed interface Surface permits Sphere, Plane, Box {
     boolean isInPlaceOf(Surface other);
 
     /**
-     * Where a ray first meets this surface, in doubles.
-     *
-     * @param ray the ray, its direction of any length but 0
-     * @param departure how the ray's origin lies to this surface
-     * @return smallest t above 0 with origin + t direction on the surface, {@link #MISS}, or {@link #UNDECIDED}
-     */
-    double quickCrossing(Ray ray, Departure departure);
-
-    /**
-     * Whether this surface lies in the way between two points, in doubles.
-     *
-     * @param segment the open line between them
-     * @return whether the line enters or leaves the surface strictly between its ends; the same from either end
-     */
-    Answer quicklyCrosses(Segment segment);
-
-    /**
      * Where a ray meets this surface that starts on it and goes inwards.
      *
      * @param origin where it starts
@@ -158,25 +141,6 @@ public sealed interface Surface permits Sphere, Plane, Box {
     }
 
     /**
-     * Where a ray first meets this surface. A ray that starts inside a body meets its wall from inside.
-     *
-     * @param ray the ray, its direction of any length but 0
-     * @param departure how the ray's origin lies to this surface
-     * @return smallest t above 0 with origin + t direction on the surface, or {@link #MISS}; never NaN
-     */
-    default double firstCrossing(Ray ray, Departure departure) {
-        double quick = quickCrossing(ray, departure);
-        if (!Double.isNaN(quick)) {
-            return quick;
-        }
-        int number = departure == Departure.ELSEWHERE ? ray.surfaceLeft() + 1 : ray.surfaceLeft();
-        Standpoint origin = new Standpoint();
-        Vector o = ray.origin();
-        origin.start(o.x(), o.y(), o.z(), ray.originError(), ray.surfaceLeft(), departure);
-        return distance(crossing(origin, number, ray.direction()));
-    }
-
-    /**
      * An exact crossing as a double.
      *
      * @param crossing of at least 0, if there is one
@@ -192,32 +156,10 @@ public sealed interface Surface permits Sphere, Plane, Box {
     }
 
     /**
-     * Whether this surface lies in the way between two points.
-     *
-     * @param segment the open line between them
-     * @param departure how the line's start lies to this surface
-     * @return true if the line enters or leaves the surface strictly between its ends; the same from either end
-     */
-    default boolean crosses(Segment segment, Departure departure) {
-        Vector p = segment.start();
-        Vector q = segment.end();
-        if (departure != Departure.ELSEWHERE) {
-            return departure == Departure.INWARD && isLeftBefore(q.x(), q.y(), q.z(), segment.endError());
-        }
-        Answer quick = quicklyCrosses(segment);
-        if (quick != Answer.UNDECIDED) {
-            return quick == Answer.YES;
-        }
-        Standpoint start = new Standpoint();
-        start.start(p.x(), p.y(), p.z(), segment.startError(), Ray.NO_SURFACE, Departure.ELSEWHERE);
-        return isCrossedBetween(start, 0, q, segment.endError());
-    }
-
-    /**
      * A crossing as a value.
      *
      * @param ray the ray
-     * @param distance what {@link #firstCrossing} returned for it, not {@link #MISS}
+     * @param distance the crossing, not {@link #MISS}
      * @param number this surface's number in the scene
      * @return point, normal towards the ray's origin, and the side
      */

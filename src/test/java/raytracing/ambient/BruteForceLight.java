@@ -11,6 +11,7 @@ import raytracing.geometry.PointError;
 import raytracing.geometry.Ray;
 import raytracing.geometry.Segment;
 import raytracing.geometry.Surface;
+import raytracing.geometry.SurfaceQuestions;
 import raytracing.math.Vector;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
@@ -146,7 +147,7 @@ public final class BruteForceLight {
     private List<Crossing> crossings(Ray ray) {
         List<Crossing> crossings = new ArrayList<>();
         for (int i = 0; i < scene.surfaces().size(); i++) {
-            double distance = scene.surfaces().get(i).firstCrossing(ray,
+            double distance = SurfaceQuestions.firstCrossing(scene.surfaces().get(i), ray,
                 i == ray.surfaceLeft() ? ray.departure() : Departure.ELSEWHERE);
             if (distance < Surface.MISS) {
                 crossings.add(new Crossing(distance, i));
@@ -189,7 +190,7 @@ public final class BruteForceLight {
             Surface surface = scene.surfaces().get(i);
             Departure departure = i != hit.surface() ? Departure.ELSEWHERE
                 : hit.side() == Departure.INWARD ? Departure.INWARD : hit.departureTowards(way.x(), way.y(), way.z());
-            if (surface.crosses(segment, departure)) {
+            if (SurfaceQuestions.crosses(surface, segment, departure)) {
                 product *= scene.materials().get(surface.material()).transparency();
             }
         }

@@ -17,6 +17,7 @@ import raytracing.geometry.HitPoint;
 import raytracing.geometry.Ray;
 import raytracing.geometry.Segment;
 import raytracing.geometry.Surface;
+import raytracing.geometry.SurfaceQuestions;
 import raytracing.math.Vector;
 import raytracing.scene.Scene;
 
@@ -120,7 +121,7 @@ class CompiledSceneTest {
         List<Hit> hits = new ArrayList<>();
         for (int i = 0; i < surfaces.size(); i++) {
             Departure departure = i == ray.surfaceLeft() ? ray.departure() : Departure.ELSEWHERE;
-            double crossing = surfaces.get(i).firstCrossing(ray, departure);
+            double crossing = SurfaceQuestions.firstCrossing(surfaces.get(i), ray, departure);
             if (crossing < Surface.MISS) {
                 hits.add(surfaces.get(i).hit(ray, crossing, i));
             }
@@ -159,7 +160,7 @@ class CompiledSceneTest {
             Surface surface = scene.surfaces().get(i);
             Departure departure = i != hit.surface() ? Departure.ELSEWHERE
                 : hit.side() == Departure.INWARD ? Departure.INWARD : hit.departureTowards(d.x(), d.y(), d.z());
-            if (surface.crosses(segment, departure)) {
+            if (SurfaceQuestions.crosses(surface, segment, departure)) {
                 product *= scene.materials().get(surface.material()).transparency();
             }
         }

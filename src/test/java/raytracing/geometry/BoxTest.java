@@ -35,7 +35,7 @@ class BoxTest {
     void firstCrossingIsTheOneSolvedByHand(String why, double x, double y, double z,
                                            double dx, double dy, double dz, double expected) {
         assertEquals(expected,
-            CUBE.firstCrossing(new Ray(new Vector(x, y, z), new Vector(dx, dy, dz)), Departure.ELSEWHERE), why);
+            SurfaceQuestions.firstCrossing(CUBE, new Ray(new Vector(x, y, z), new Vector(dx, dy, dz)), Departure.ELSEWHERE), why);
     }
 
     @Test
@@ -47,7 +47,7 @@ class BoxTest {
             Vector origin = SphereTest.randomVector(random, 5);
             Vector direction = box.centre().plus(SphereTest.randomVector(random, 2)).minus(origin);
             double exact = exactFirstCrossing(box, origin, direction);
-            double found = box.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE);
+            double found = SurfaceQuestions.firstCrossing(box, new Ray(origin, direction), Departure.ELSEWHERE);
             if (exact == Surface.MISS) {
                 assertEquals(exact, found);
             } else {
@@ -99,12 +99,12 @@ class BoxTest {
         Box cube = new Box(centre, 2, 0);
         Vector origin = centre.plus(4, outward).plus(new Vector(0.25, 0.5, -0.25));
         Vector direction = outward.times(-3).plus(new Vector(0.1, -0.2, 0.3));
-        double distance = cube.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE);
+        double distance = SurfaceQuestions.firstCrossing(cube, new Ray(origin, direction), Departure.ELSEWHERE);
         assertEquals(outward, OutwardNormal.of(cube, new Ray(origin, direction), distance));
     }
 
     private static Hit hit(Ray ray) {
-        return CUBE.hit(ray, CUBE.firstCrossing(ray, Departure.ELSEWHERE), 0);
+        return CUBE.hit(ray, SurfaceQuestions.firstCrossing(CUBE, ray, Departure.ELSEWHERE), 0);
     }
 
     @Test
@@ -112,9 +112,9 @@ class BoxTest {
         Vector justOutside = new Vector(0, 0, Math.nextDown(-1.0));
         Vector justInside = new Vector(0, 0, Math.nextUp(-1.0));
         Vector inwards = new Vector(0, 0, 1);
-        assertEquals(2, CUBE.firstCrossing(new Ray(justOutside, inwards), Departure.INWARD), 1e-15);
-        assertEquals(2, CUBE.firstCrossing(new Ray(justInside, inwards), Departure.INWARD), 1e-15);
-        assertEquals(Surface.MISS, CUBE.firstCrossing(new Ray(justOutside, inwards), Departure.OUTWARD));
+        assertEquals(2, SurfaceQuestions.firstCrossing(CUBE, new Ray(justOutside, inwards), Departure.INWARD), 1e-15);
+        assertEquals(2, SurfaceQuestions.firstCrossing(CUBE, new Ray(justInside, inwards), Departure.INWARD), 1e-15);
+        assertEquals(Surface.MISS, SurfaceQuestions.firstCrossing(CUBE, new Ray(justOutside, inwards), Departure.OUTWARD));
     }
 
     /** Two boxes share the face x = 1; a ray that runs exactly in it must not slip between them. */
@@ -123,8 +123,8 @@ class BoxTest {
         Box neighbour = new Box(new Vector(2, 0, 0), 2, 0);
         Vector origin = new Vector(1, 0.3, -5);
         Vector direction = new Vector(0, 0.01, 1);
-        double first = Math.min(CUBE.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE),
-            neighbour.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE));
+        double first = Math.min(SurfaceQuestions.firstCrossing(CUBE, new Ray(origin, direction), Departure.ELSEWHERE),
+            SurfaceQuestions.firstCrossing(neighbour, new Ray(origin, direction), Departure.ELSEWHERE));
         assertEquals(4, first);
     }
 }

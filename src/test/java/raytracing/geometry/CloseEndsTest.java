@@ -68,7 +68,7 @@ class CloseEndsTest {
             Vector p = near(onSphere(sphere, random), sphere.centre(), random);
             Vector q = near(onSphere(sphere, random), sphere.centre(), random);
             boolean expected = crosses(fromCentre(p, sphere.centre()), fromCentre(q, sphere.centre()), sphere);
-            assertEquals(expected, sphere.crosses(new Segment(p, 0, q, 0), Departure.ELSEWHERE),
+            assertEquals(expected, SurfaceQuestions.crosses(sphere, new Segment(p, 0, q, 0), Departure.ELSEWHERE),
                 () -> p + " to " + q + " and " + sphere);
             crossed += expected ? 1 : 0;
         }
@@ -102,7 +102,7 @@ class CloseEndsTest {
             Vector p = near(onPlane(plane, lengths, random), Vector.ZERO, random);
             Vector q = near(onPlane(plane, lengths, random), Vector.ZERO, random);
             boolean expected = gap(plane, p).signum() * gap(plane, q).signum() < 0;
-            assertEquals(expected, plane.crosses(new Segment(p, 0, q, 0), Departure.ELSEWHERE),
+            assertEquals(expected, SurfaceQuestions.crosses(plane, new Segment(p, 0, q, 0), Departure.ELSEWHERE),
                 () -> p + " to " + q + " and " + plane);
             crossed += expected ? 1 : 0;
         }

@@ -197,7 +197,7 @@ class KernelRangeTest {
         int answers = 0;
         for (int i = 0; i < CASES; i++) {
             Case c = numbers.next(random, shape);
-            double quick = c.surface.quickCrossing(new Ray(c.o, c.error, c.d, NUMBER, departure), departure);
+            double quick = SurfaceQuestions.quickCrossing(c.surface, new Ray(c.o, c.error, c.d, NUMBER, departure), departure);
             if (!Double.isNaN(quick)) {
                 assertCrossing(shape, c, quick, exact(c, departure));
                 answers++;
@@ -275,7 +275,7 @@ class KernelRangeTest {
         if (shape.isPlainlyMissed(c.surface, alongLine, 1, Math.max(c.error, c.endError))) {
             return Answer.NO;
         }
-        return c.surface.quicklyCrosses(new Segment(c.o, c.error, c.q, c.endError));
+        return SurfaceQuestions.quicklyCrosses(c.surface, new Segment(c.o, c.error, c.q, c.endError));
     }
 
     @ParameterizedTest
@@ -325,7 +325,7 @@ class KernelRangeTest {
         Case c = new Case(o, new Vector(dx, dy, dz), o, 0, 0, shape.surface(new Vector(x, y, z), scalar));
         Optional<Surd> exact = exact(c, Departure.ELSEWHERE);
         Ray ray = new Ray(c.o, 0, c.d, Ray.NO_SURFACE, Departure.ELSEWHERE);
-        double found = c.surface.firstCrossing(ray, Departure.ELSEWHERE);
+        double found = SurfaceQuestions.firstCrossing(c.surface, ray, Departure.ELSEWHERE);
         assertCrossing(shape, c, found, exact);
         assertTrue(!shape.isPlainlyMissed(c.surface, c, Surface.MISS, 0) || exact.isEmpty(), c::toString);
     }

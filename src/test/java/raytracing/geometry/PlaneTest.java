@@ -25,15 +25,15 @@ class PlaneTest {
     })
     void firstCrossingIsTheOneSolvedByHand(String why, double y, double dx, double dy, double dz, double expected) {
         assertEquals(expected,
-            LEVEL.firstCrossing(new Ray(new Vector(7, y, 9), new Vector(dx, dy, dz)), Departure.ELSEWHERE), why);
+            SurfaceQuestions.firstCrossing(LEVEL, new Ray(new Vector(7, y, 9), new Vector(dx, dy, dz)), Departure.ELSEWHERE), why);
     }
 
     @Test
     void aRayNeverMeetsThePlaneItLeaves() {
         Vector rounded = new Vector(0, Math.nextUp(2.0), 0);
         Vector down = new Vector(0, -1, 0);
-        assertEquals(Surface.MISS, LEVEL.firstCrossing(new Ray(rounded, down), Departure.OUTWARD));
-        assertEquals(Surface.MISS, LEVEL.firstCrossing(new Ray(rounded, down), Departure.INWARD));
+        assertEquals(Surface.MISS, SurfaceQuestions.firstCrossing(LEVEL, new Ray(rounded, down), Departure.OUTWARD));
+        assertEquals(Surface.MISS, SurfaceQuestions.firstCrossing(LEVEL, new Ray(rounded, down), Departure.INWARD));
     }
 
     @Test

@@ -23,14 +23,14 @@ class SegmentTest {
     }
 
     private static boolean crosses(Surface surface, Vector p, double pError, Vector q, double qError) {
-        return surface.crosses(new Segment(p, pError, q, qError), Departure.ELSEWHERE);
+        return SurfaceQuestions.crosses(surface, new Segment(p, pError, q, qError), Departure.ELSEWHERE);
     }
 
     /** Somewhere around a surface, or by rounding on, before or behind it: the hit point of a random ray. */
     private static Vector point(Surface surface, SplittableRandom random) {
         Vector origin = SphereTest.randomVector(random, 2);
         Ray ray = new Ray(origin, SphereTest.randomVector(random, 2).minus(origin));
-        double t = surface.firstCrossing(ray, Departure.ELSEWHERE);
+        double t = SurfaceQuestions.firstCrossing(surface, ray, Departure.ELSEWHERE);
         return random.nextInt(3) == 0 || t == Surface.MISS ? origin : surface.hit(ray, t, 0).point();
     }
 
@@ -59,7 +59,7 @@ class SegmentTest {
         for (int i = 0; i < 50_000; i++) {
             Vector p = SphereTest.randomVector(random, 2);
             Vector q = SphereTest.randomVector(random, 2);
-            double t = surface.firstCrossing(new Ray(p, q.minus(p)), Departure.ELSEWHERE);
+            double t = SurfaceQuestions.firstCrossing(surface, new Ray(p, q.minus(p)), Departure.ELSEWHERE);
             if (Math.abs(t - 1) > 1e-9) {
                 assertEquals(t < 1, crosses(surface, p, 0, q, 0), () -> p + " to " + q);
                 crossed += t < 1 ? 1 : 0;
@@ -76,7 +76,7 @@ class SegmentTest {
         for (int i = 0; i < 20_000; i++) {
             Vector origin = SphereTest.randomVector(random, 2);
             Ray ray = new Ray(origin, SphereTest.randomVector(random, 2).minus(origin));
-            double t = surface.firstCrossing(ray, Departure.ELSEWHERE);
+            double t = SurfaceQuestions.firstCrossing(surface, ray, Departure.ELSEWHERE);
             if (t < Surface.MISS) {
                 Hit hit = surface.hit(ray, t, 0);
                 assertFalse(crosses(surface, origin, 0, hit.point(), hit.pointError()), () -> "to " + hit);
@@ -133,15 +133,15 @@ class SegmentTest {
             Segment through = new Segment(top, 0, new Vector(0.1, -2, 0), 0);
             Segment into = new Segment(top, 0, new Vector(0.1, -0.5, 0), 0);
             Segment toTheFarWall = new Segment(top, 0, new Vector(0, Math.nextDown(-1.0), 0), 1e-15);
-            assertTrue(body.crosses(through, Departure.INWARD));
-            assertFalse(body.crosses(into, Departure.INWARD));
-            assertFalse(body.crosses(toTheFarWall, Departure.INWARD));
-            assertFalse(body.crosses(through, Departure.OUTWARD));
+            assertTrue(SurfaceQuestions.crosses(body, through, Departure.INWARD));
+            assertFalse(SurfaceQuestions.crosses(body, into, Departure.INWARD));
+            assertFalse(SurfaceQuestions.crosses(body, toTheFarWall, Departure.INWARD));
+            assertFalse(SurfaceQuestions.crosses(body, through, Departure.OUTWARD));
         }
     }
 
     private static double firstCrossing(Surface surface, Vector origin, Vector direction) {
-        return surface.firstCrossing(new Ray(origin, 0, direction, Ray.NO_SURFACE, Departure.ELSEWHERE), Departure.ELSEWHERE);
+        return SurfaceQuestions.firstCrossing(surface, new Ray(origin, 0, direction, Ray.NO_SURFACE, Departure.ELSEWHERE), Departure.ELSEWHERE);
     }
 
     /** The quick question may never lose a crossing: wherever it says "missed", the careful one agrees. */

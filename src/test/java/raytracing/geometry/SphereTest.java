@@ -42,15 +42,15 @@ class SphereTest {
         "from the wall outwards,              0,    1,  Infinity",
     })
     void firstCrossingIsTheOneSolvedByHand(String why, double y, double z, double expected) {
-        double found = UNIT.firstCrossing(new Ray(new Vector(0, y, z), new Vector(0, 0, 1)), Departure.ELSEWHERE);
+        double found = SurfaceQuestions.firstCrossing(UNIT, new Ray(new Vector(0, y, z), new Vector(0, 0, 1)), Departure.ELSEWHERE);
         assertEquals(expected, found, 4e-16 * 5, why);
     }
 
     @Test
     void distancesCountInMultiplesOfTheDirection() {
         Vector origin = new Vector(0, 0, -5);
-        assertEquals(2, UNIT.firstCrossing(new Ray(origin, new Vector(0, 0, 2)), Departure.ELSEWHERE));
-        assertEquals(0x1p102, UNIT.firstCrossing(new Ray(origin, new Vector(0, 0, 0x1p-100)), Departure.ELSEWHERE));
+        assertEquals(2, SurfaceQuestions.firstCrossing(UNIT, new Ray(origin, new Vector(0, 0, 2)), Departure.ELSEWHERE));
+        assertEquals(0x1p102, SurfaceQuestions.firstCrossing(UNIT, new Ray(origin, new Vector(0, 0, 0x1p-100)), Departure.ELSEWHERE));
     }
 
     @Test
@@ -62,7 +62,7 @@ class SphereTest {
             Vector origin = randomVector(random, 5);
             Vector direction = sphere.centre().plus(randomVector(random, 2)).minus(origin);
             double exact = exactFirstCrossing(sphere, origin, direction);
-            double found = sphere.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE);
+            double found = SurfaceQuestions.firstCrossing(sphere, new Ray(origin, direction), Departure.ELSEWHERE);
             if (exact == Surface.MISS) {
                 assertEquals(exact, found);
             } else {
@@ -109,7 +109,7 @@ class SphereTest {
         Sphere speck = new Sphere(Vector.ZERO, 1e-12, 0);
         Vector origin = new Vector(0, 0, -1e9);
         Vector direction = new Vector(0, 0, 1);
-        double distance = speck.firstCrossing(new Ray(origin, direction), Departure.ELSEWHERE);
+        double distance = SurfaceQuestions.firstCrossing(speck, new Ray(origin, direction), Departure.ELSEWHERE);
         assertEquals(1e9, distance);
         assertEquals(-1, OutwardNormal.of(speck, new Ray(origin, direction), distance).z());
     }
@@ -125,10 +125,10 @@ class SphereTest {
             Vector direction = randomVector(random, 1).unit();
             double inwards = -normal.dot(direction);
             if (inwards > 1e-3) {
-                double across = sphere.firstCrossing(new Ray(point, direction), Departure.INWARD);
+                double across = SurfaceQuestions.firstCrossing(sphere, new Ray(point, direction), Departure.INWARD);
                 assertEquals(2 * sphere.radius() * inwards, across, 1e-14);
             }
-            assertEquals(Surface.MISS, sphere.firstCrossing(new Ray(point, direction), Departure.OUTWARD));
+            assertEquals(Surface.MISS, SurfaceQuestions.firstCrossing(sphere, new Ray(point, direction), Departure.OUTWARD));
         }
     }
 }

@@ -144,7 +144,7 @@ class StandpointTest {
         Box box = new Box(Vector.ZERO, 1, 0);
         Ray ray = new Ray(new Vector(Math.nextUp(0.5), Math.nextDown(0.5), 0), error, new Vector(-2, 1, 0), FLOOR,
             Departure.INWARD);
-        assertEquals(expected, box.firstCrossing(ray, Departure.INWARD));
+        assertEquals(expected, SurfaceQuestions.firstCrossing(box, ray, Departure.INWARD));
         Hit hit = box.hit(ray, expected, FLOOR);
         assertEquals(new Vector(0, -1, 0), hit.normal().plus(Vector.ZERO));
         assertEquals(Departure.INWARD, hit.side());

@@ -38,7 +38,7 @@ class SurfaceTest {
 
     private static Hit hit(Surface surface, Vector origin, Vector direction) {
         Ray ray = new Ray(origin, direction);
-        return surface.hit(ray, surface.firstCrossing(ray, Departure.ELSEWHERE), 0);
+        return surface.hit(ray, SurfaceQuestions.firstCrossing(surface, ray, Departure.ELSEWHERE), 0);
     }
 
     /** A ball of radius 2, its middle 8 or 6 away from that of a body that reaches 5 along each axis. */

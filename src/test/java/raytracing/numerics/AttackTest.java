@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.geometry.Departure;
 import raytracing.geometry.Ray;
+import raytracing.geometry.SurfaceQuestions;
 import raytracing.math.Vector;
 
 /**
@@ -71,7 +72,7 @@ class AttackTest {
     void surfacesAnswerLikeTheKernels(Family family) {
         Formula ours = family.shape().ours().formula();
         Failures.assertNone(family.queries(SEED, RAYS).stream()
-            .filter(query -> family.shape().surface(query).firstCrossing(
+            .filter(query -> SurfaceQuestions.firstCrossing(family.shape().surface(query),
                 new Ray(query.origin(), 0, query.direction(), Ray.NO_SURFACE, Departure.ELSEWHERE), Departure.ELSEWHERE)
                 != ours.firstCrossing(query))
             .map(Query::toString));

@@ -11,6 +11,7 @@ import raytracing.geometry.Sphere;
 import raytracing.geometry.SphereKernel;
 import raytracing.geometry.Standpoint;
 import raytracing.geometry.Surface;
+import raytracing.geometry.SurfaceQuestions;
 import raytracing.math.Vector;
 
 /** Every question that these tests ask the product about crossings goes through here. */
@@ -76,7 +77,7 @@ final class ProductAlgorithms {
         return switch (shape) {
             case SPHERE -> between + shape.ours().formula().firstCrossing(query.startingAt(between));
             case PLANE -> Formula.MISS;
-            case BOX -> box(query).firstCrossing(ray(query), Departure.INWARD);
+            case BOX -> SurfaceQuestions.firstCrossing(box(query), ray(query), Departure.INWARD);
         };
     }
 
@@ -91,7 +92,7 @@ final class ProductAlgorithms {
     /** A ray that meets a surface at t; behind its first crossing, one that is known to be inside. */
     private static Ray rayTo(Surface surface, Query query, double t) {
         Ray ray = ray(query);
-        return surface.firstCrossing(ray, Departure.ELSEWHERE) < t
+        return SurfaceQuestions.firstCrossing(surface, ray, Departure.ELSEWHERE) < t
             ? new Ray(ray.origin(), 0, ray.direction(), 0, Departure.INWARD) : ray;
     }
 
