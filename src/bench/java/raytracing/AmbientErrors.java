@@ -5,14 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import raytracing.ambient.AmbientPart;
-import raytracing.ambient.AmbientScenes;
+import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
+import raytracing.estimate.AmbientPart;
+import raytracing.estimate.AmbientScenes;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
-import raytracing.shade.AmbientLight;
 
 /** Estimates of ambient light held to brute force. */
 final class AmbientErrors {
@@ -45,8 +46,10 @@ final class AmbientErrors {
             rows.add(pictureRow(room.getKey(), room.getValue(), effort));
         }
         return """
-            Root mean square errors of the picture in steps of 1/255 against brute force, which follows thousands of paths for each pixel,
-            and times of warm frames at 500 x 500, median (quartiles). *One colour* is what the estimate is worth without its places: the
+            Root mean square errors of the picture in steps of 1/255 against brute force,
+                which follows thousands of paths for each pixel,
+            and times of warm frames at 500 x 500,
+                median (quartiles). *One colour* is what the estimate is worth without its places: the
             same rays, and nearly the same time.
 
             """ + MarkdownTable.of(List.of("scene", "no ambient light: RMSE", "one colour: RMSE", "light that varies: RMSE",
@@ -56,25 +59,25 @@ final class AmbientErrors {
     private static List<String> pictureRow(String title, Scene scene, Effort effort) {
         AmbientPart truth = truth(scene, 1, ALL_BOUNCES, rootForPictures(effort));
         AmbientPart sameTruth = truth(scene, 2, ALL_BOUNCES, rootForPictures(effort));
-        Renderer renderer = new Renderer(scene, SMALL);
+        Renderer renderer = Renderers.of(scene, SMALL);
         AmbientLight even = AmbientLight.even(renderer.ambientLight().mean());
         System.out.println("Ambient light of " + title);
-        Renderer large = new Renderer(scene, RenderSettings.DEFAULT);
-        Renderer largeEven = large.inAmbientLight(even);
-        Renderer largeWithout = large.inAmbientLight(AmbientLight.NONE);
+        Renderer large = Renderers.of(scene, RenderSettings.DEFAULT);
+        Renderer largeEven = Renderers.inAmbientLight(large, even);
+        Renderer largeWithout = Renderers.inAmbientLight(large, AmbientLight.NONE);
         long start = System.nanoTime();
         while (System.nanoTime() - start < effort.warmUpNanoseconds()) {
-            large.render();
-            largeEven.render();
-            largeWithout.render();
-            new Renderer(scene, RenderSettings.DEFAULT);
+            Renderers.film(large);
+            Renderers.film(largeEven);
+            Renderers.film(largeWithout);
+            Renderers.of(scene, RenderSettings.DEFAULT);
         }
         List<List<Double>> times = List.of(new ArrayList<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
         for (int round = 0; round < 3 * effort.frames(); round++) {
-            times.get(0).add(milliseconds(largeWithout::render));
-            times.get(1).add(milliseconds(() -> new Renderer(scene, RenderSettings.DEFAULT)));
-            times.get(2).add(milliseconds(largeEven::render));
-            times.get(3).add(milliseconds(large::render));
+            times.get(0).add(milliseconds(() -> Renderers.film(largeWithout)));
+            times.get(1).add(milliseconds(() -> Renderers.of(scene, RenderSettings.DEFAULT)));
+            times.get(2).add(milliseconds(() -> Renderers.film(largeEven)));
+            times.get(3).add(milliseconds(() -> Renderers.film(large)));
         }
         List<String> cells = new ArrayList<>(List.of(title,
             steps(AmbientPart.drawn(renderer, AmbientLight.even(Color.BLACK)).errorAgainst(truth, sameTruth)),
@@ -117,7 +120,7 @@ final class AmbientErrors {
         double[] once = truth(white, 1, 1, rootForMeans(effort)).mean();
         List<Double> errors = new ArrayList<>();
         for (int seed = 1; seed <= seeds(effort); seed++) {
-            Renderer renderer = new Renderer(white, SMALL.withSeed(seed));
+            Renderer renderer = Renderers.of(white, SMALL.withSeed(seed));
             double[] mean = AmbientPart.drawn(renderer, AmbientLight.even(renderer.ambientLight().mean())).mean();
             double worst = 0;
             for (int channel = 0; channel < mean.length; channel++) {
@@ -125,13 +128,13 @@ final class AmbientErrors {
             }
             errors.add(100 * worst);
         }
-        AmbientLight light = new Renderer(white, SMALL).ambientLight();
+        AmbientLight light = Renderers.of(white, SMALL).ambientLight();
         Color mean = light.mean();
         System.out.println("Mean of " + title);
         return List.of(title, String.format(Locale.ROOT, "%.3f %.3f %.3f", truth[0], truth[1], truth[2]),
             String.format(Locale.ROOT, "%.0f %%", 100 * (once[0] + once[1] + once[2]) / (truth[0] + truth[1] + truth[2])),
             String.format(Locale.ROOT, "%.3f %.3f %.3f", mean.red(), mean.green(), mean.blue()),
-            String.valueOf(light.placeCount()),
+            String.valueOf(light.recordCount()),
             String.format(Locale.ROOT, "%.1f", Quantiles.of(errors).median()),
             String.format(Locale.ROOT, "%.1f", errors.stream().max(Double::compare).orElseThrow()));
     }

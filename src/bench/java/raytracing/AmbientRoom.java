@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import raytracing.ambient.AmbientScenes;
+import raytracing.estimate.AmbientScenes;
 import raytracing.parse.RayTracerException;
 import raytracing.scene.Scene;
 
@@ -55,7 +55,7 @@ enum AmbientRoom {
     }
 
     private static Optional<Scene> ours(String name) throws IOException, RayTracerException {
-        return Optional.of(RayTracer.parseScene(Path.of("scenes", name + ".txt")));
+        return Optional.of(Steps.parseScene(Path.of("scenes", name + ".txt")));
     }
 
     /** None if it is not there. */

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import raytracing.ambient.AmbientScenes;
+import raytracing.estimate.AmbientScenes;
 import raytracing.parse.RayTracerException;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;

@@ -14,6 +14,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
 
 /** Milliseconds from a scene in memory to a renderer that could draw its first ray. */
@@ -36,6 +37,6 @@ public class BuildBenchmark {
 
     @Benchmark
     public Renderer build() {
-        return new Renderer(parsed, RenderSettings.DEFAULT);
+        return Renderers.of(parsed, RenderSettings.DEFAULT);
     }
 }

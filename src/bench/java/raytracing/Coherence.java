@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import raytracing.math.Basis;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Camera;
 
 /** How much a ray has in common with the one before it. */
@@ -23,14 +23,16 @@ public enum Coherence {
 
     /** The directions from a camera through the pixels of a small square picture, row by row, as a pinhole has them. */
     static List<Vector> throughPixels(Camera camera, int size) {
-        Basis basis = camera.basis();
+        Vector rightAxis = camera.right();
+        Vector forwardAxis = camera.forward();
+        Vector upAxis = forwardAxis.cross(rightAxis);
         List<Vector> directions = new ArrayList<>();
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++) {
                 double right = ((x + 0.5) / size - 0.5) * camera.screenWidth();
                 double up = (0.5 - (y + 0.5) / size) * camera.screenWidth();
-                Vector ahead = basis.w().times(camera.screenDistance());
-                directions.add(ahead.plus(right, basis.u()).plus(up, basis.v()).unit());
+                Vector ahead = forwardAxis.times(camera.screenDistance());
+                directions.add(Vectors.plus(Vectors.plus(ahead, right, rightAxis), up, upAxis).unit());
             }
         }
         return directions;

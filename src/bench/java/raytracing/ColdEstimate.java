@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
 
 /** How long a scene takes to be made ready in a virtual machine that has done nothing yet but read it. */
@@ -21,9 +21,9 @@ public final class ColdEstimate {
      * @param arguments the scene file
      */
     public static void main(String[] arguments) throws IOException, RayTracerException {
-        Scene scene = RayTracer.parseScene(Path.of(arguments[0]));
+        Scene scene = Steps.parseScene(Path.of(arguments[0]));
         long start = System.nanoTime();
-        new Renderer(scene, RenderSettings.DEFAULT);
+        Renderers.of(scene, RenderSettings.DEFAULT);
         System.out.println((System.nanoTime() - start) / NANOSECONDS_IN_SECOND);
     }
 

@@ -4,18 +4,19 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.PixelRays;
-import raytracing.compiled.ShadowMode;
 import raytracing.film.Film;
 import raytracing.parse.RayTracerException;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
+import raytracing.scene.CameraRays;
 import raytracing.scene.Scene;
 import raytracing.shade.Shader;
-import raytracing.shade.AmbientLight;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.Queries;
+import raytracing.trace.ShadowMode;
 
 /**
  * What other rules for edges would find and leave. A refined pixel has the light of the picture with N x N rays
@@ -61,7 +62,8 @@ final class EdgeRules {
                 rows.add(cells(CONTRASTS.get(i), looks, outcomes[i][looks.ordinal()], scenes.size()));
             }
         }
-        return String.format(Locale.ROOT, "Means over %d of our scenes, %d x %d pixels, exact shadows, N = %d. RMS in steps of "
+        return String.format(Locale.ROOT,
+            "Means over %d of our scenes, %d x %d pixels, exact shadows, N = %d. RMS in steps of "
             + "1/255 of linear light cut off at 1,\nagainst N x N rays in all pixels and against %d x %d of them.\n\n",
             scenes.size(), SIZE, SIZE, ROOT, ROOT_OF_REFERENCE, ROOT_OF_REFERENCE)
             + MarkdownTable.of(List.of("neighbours differ by more than", "refined, %", "RMS to everywhere",
@@ -79,7 +81,7 @@ final class EdgeRules {
 
     private static void measure(Scene scene, Outcome[][] outcomes) {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE).withShadowMethod(new ShadowMethod.Exact());
-        Film one = RayTracer.renderScene(scene, settings);
+        Film one = Steps.renderScene(scene, settings);
         Film everywhere = everywhere(scene, settings, ROOT);
         Film reference = everywhere(scene, settings, ROOT_OF_REFERENCE);
         long[] fingerprints = fingerprints(scene);
@@ -92,14 +94,14 @@ final class EdgeRules {
     }
 
     private static Film everywhere(Scene scene, RenderSettings settings, int root) {
-        return RayTracer.renderScene(scene,
+        return Steps.renderScene(scene,
             settings.withSampling(new PixelSampling(root, PixelSampling.Where.EVERYWHERE)));
     }
 
     private static long[] fingerprints(Scene scene) {
-        CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         Shader shader = new Shader(scene, compiled, new ShadowMethod.Exact(), AmbientLight.NONE);
-        PixelRays rays = new PixelRays(scene.camera(), SIZE, SIZE);
+        CameraRays rays = new CameraRays(scene.camera(), SIZE, SIZE);
         long[] fingerprints = new long[SIZE * SIZE];
         for (int i = 0; i < fingerprints.length; i++) {
             shader.light(rays, i % SIZE + 0.5, i / SIZE + 0.5, 1);

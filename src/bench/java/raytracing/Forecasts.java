@@ -14,6 +14,7 @@ import raytracing.render.DrawingListener;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 
 /** How well the share of a picture that is done tells how long all of it takes. */
 final class Forecasts {
@@ -27,8 +28,8 @@ final class Forecasts {
         List<List<String>> rows = new ArrayList<>();
         double[] farthest = new double[SHARES.length];
         for (Path scene : SceneFiles.all().toList()) {
-            Renderer renderer = new Renderer(RayTracer.parseScene(scene), RenderSettings.DEFAULT);
-            renderer.render();
+            Renderer renderer = Renderers.of(Steps.parseScene(scene), RenderSettings.DEFAULT);
+            Renderers.film(renderer);
             List<String> row = new ArrayList<>(List.of(scene.getFileName().toString().replace(".txt", "")));
             List<List<Double>> ratios = new ArrayList<>();
             for (int i = 0; i < SHARES.length; i++) {
@@ -55,7 +56,7 @@ final class Forecasts {
 
     private static void addRatios(Renderer renderer, List<List<Double>> ratios) {
         Clock clock = new Clock();
-        Drawing drawing = renderer.drawing(new Cancellation(), Cancellation.Leftovers.DISCARD, clock);
+        Drawing drawing = new Drawing(renderer, new Cancellation(), Cancellation.Leftovers.DISCARD, clock);
         clock.start(drawing);
         drawing.band(0);
         double all = clock.seconds();
@@ -81,8 +82,8 @@ final class Forecasts {
 
         @Override
         public synchronized void showTile(Region tile, Film film, Region filmed) {
-            while (foreseen.size() < SHARES.length && drawing.share() >= SHARES[foreseen.size()]) {
-                foreseen.add(seconds() / drawing.share());
+            while (foreseen.size() < SHARES.length && drawing.progress().share() >= SHARES[foreseen.size()]) {
+                foreseen.add(seconds() / drawing.progress().share());
             }
         }
     }

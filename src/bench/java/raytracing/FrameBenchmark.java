@@ -15,6 +15,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import raytracing.film.Film;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 
 /**
  * Milliseconds for a frame of 500 x 500 pixels on all processors, the scene compiled before. A scene that is not beside
@@ -34,11 +35,11 @@ public class FrameBenchmark {
 
     @Setup
     public void compile() throws Exception {
-        renderer = new Renderer(scene.scene(), RenderSettings.DEFAULT);
+        renderer = Renderers.of(scene.scene(), RenderSettings.DEFAULT);
     }
 
     @Benchmark
     public Film frame() {
-        return renderer.render();
+        return Renderers.film(renderer);
     }
 }

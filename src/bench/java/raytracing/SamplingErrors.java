@@ -45,7 +45,7 @@ final class SamplingErrors {
 
     private static BufferedImage picture(Scene scene, long seed) {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE).withSeed(seed);
-        return RayTracer.renderScene(scene, settings).toImage();
+        return Steps.renderScene(scene, settings).toImage();
     }
 
     private static Scene sampled(Scene scene, int root) {

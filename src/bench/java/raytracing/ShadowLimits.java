@@ -3,8 +3,8 @@ package raytracing;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import raytracing.compiled.SamplingLimit;
-import raytracing.compiled.ShadowQueries;
+import raytracing.shadow.SamplingLimit;
+import raytracing.shadow.ShadowQueries;
 
 /** Exact shares of lights beside what the exercise's method comes to with very many shadow rays. */
 final class ShadowLimits {
@@ -27,7 +27,8 @@ final class ShadowLimits {
         List<List<String>> rows = new ArrayList<>();
         rows.add(cells("opaque surfaces", distances(new ShadowQueries(SEED, OPAQUE), questions, runs)));
         rows.add(cells("some transparent", distances(new ShadowQueries(SEED, MIXED), questions, runs)));
-        return String.format(Locale.ROOT, "%d random questions a row (seed %d), none of them plainly lit or dark; each beside %d "
+        return String.format(Locale.ROOT,
+            "%d random questions a row (seed %d), none of them plainly lit or dark; each beside %d "
             + "runs with %d x %d shadow rays. Distances\nare in standard errors of the mean of these runs, which follow Student's "
             + "t with %d degrees of freedom if there is no bias.\n\n", questions, SEED, runs, ROOT, ROOT, runs - 1)
             + MarkdownTable.of(List.of("", "largest distance", "root of mean square", "largest difference of shares",

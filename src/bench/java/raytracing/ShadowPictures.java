@@ -9,8 +9,9 @@ import raytracing.film.Film;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 import raytracing.timed.Spread;
 
 /** Whole pictures with exact shadows beside those with sampled ones: their errors, and their times in turn. */
@@ -37,11 +38,13 @@ final class ShadowPictures {
                 rows.add(row(scene, runs, effort, folder));
             }
         }
-        return String.format(Locale.ROOT, "%d x %d pixels, linear light cut off at 1. The reference is the mean of %d runs with "
+        return String.format(Locale.ROOT,
+            "%d x %d pixels, linear light cut off at 1. The reference is the mean of %d runs with "
             + "%d x %d shadow rays; its own error is\nwhat their spread shows. Times: frames of that size in a warm process, and "
             + "whole cold processes at 500 x 500, exact\nover N = %d, %d pairs in turn; median (least - most).\n\n",
             SIZE, SIZE, runs, ROOT_OF_REFERENCE, ROOT_OF_REFERENCE, PEERS_ROOT, effort.pairs())
-            + MarkdownTable.of(List.of("scene", "N = " + PEERS_ROOT + ", RMS", "exact, RMS", "reference's own", "exact, largest",
+            + MarkdownTable.of(List.of("scene", "N = " + PEERS_ROOT + ", RMS", "exact, RMS", "reference's own",
+                "exact, largest",
                 "exact, pixels off by more than 1/512, %", "warm time, exact / N = " + PEERS_ROOT,
                 "cold time, exact / N = " + PEERS_ROOT), rows);
     }
@@ -50,11 +53,11 @@ final class ShadowPictures {
             throws IOException, RayTracerException {
         Scene scene = timed.scene();
         RenderSettings settings = RenderSettings.DEFAULT.withSize(SIZE, SIZE);
-        Film exact = RayTracer.renderScene(scene, settings.withShadowMethod(EXACT));
-        Film sampled = RayTracer.renderScene(scene, settings.withShadowMethod(SAMPLED));
+        Film exact = Steps.renderScene(scene, settings.withShadowMethod(EXACT));
+        Film sampled = Steps.renderScene(scene, settings.withShadowMethod(SAMPLED));
         List<Film> references = new ArrayList<>();
         for (int run = 1; run <= runs; run++) {
-            references.add(RayTracer.renderScene(scene, settings.withSeed(RenderSettings.DEFAULT_SEED + run)
+            references.add(Steps.renderScene(scene, settings.withSeed(RenderSettings.DEFAULT_SEED + run)
                 .withShadowMethod(ShadowMethod.Sampled.withRoot(ROOT_OF_REFERENCE))));
         }
         Film mean = Films.mean(references);
@@ -76,12 +79,12 @@ final class ShadowPictures {
     }
 
     private static Spread warmRatio(Scene scene, RenderSettings settings, Effort effort) {
-        Renderer exact = new Renderer(scene, settings.withShadowMethod(EXACT));
-        Renderer sampled = new Renderer(scene, settings.withShadowMethod(SAMPLED));
+        Renderer exact = Renderers.of(scene, settings.withShadowMethod(EXACT));
+        Renderer sampled = Renderers.of(scene, settings.withShadowMethod(SAMPLED));
         long start = System.nanoTime();
         while (System.nanoTime() - start < effort.warmUpNanoseconds()) {
-            exact.render();
-            sampled.render();
+            Renderers.film(exact);
+            Renderers.film(sampled);
         }
         List<Double> ratios = new ArrayList<>();
         for (int pair = 0; pair < effort.pairs(); pair++) {
@@ -96,7 +99,7 @@ final class ShadowPictures {
         long start = System.nanoTime();
         int frames = 0;
         do {
-            renderer.render();
+            Renderers.film(renderer);
             frames++;
         } while (System.nanoTime() - start < effort.measuredNanoseconds() / 10);
         return (double) (System.nanoTime() - start) / frames;

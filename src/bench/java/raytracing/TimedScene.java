@@ -68,7 +68,7 @@ public enum TimedScene {
     private record Written(Path path) implements Origin {
         @Override
         public Scene scene() throws IOException, RayTracerException {
-            return RayTracer.parseScene(path);
+            return Steps.parseScene(path);
         }
 
         @Override

@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
 import raytracing.timed.Spread;
 
@@ -67,15 +68,15 @@ final class WarmTimes {
     private static Series series(TimedScene timed, Effort effort) throws IOException, RayTracerException {
         Scene scene = timed.scene();
         long start = System.nanoTime();
-        Renderer renderer = new Renderer(scene, RenderSettings.DEFAULT);
+        Renderer renderer = Renderers.of(scene, RenderSettings.DEFAULT);
         do {
-            renderer.render();
+            Renderers.film(renderer);
         } while (System.nanoTime() - start < effort.warmUpNanoseconds());
-        Spread builds = milliseconds(effort.frames(), 0, () -> new Renderer(scene, RenderSettings.DEFAULT));
+        Spread builds = milliseconds(effort.frames(), 0, () -> Renderers.of(scene, RenderSettings.DEFAULT));
         long before = SYSTEM.getProcessCpuTime();
         AtomicInteger count = new AtomicInteger();
         Spread frames = milliseconds(effort.frames(), effort.measuredNanoseconds(), () -> {
-            renderer.render();
+            Renderers.film(renderer);
             count.incrementAndGet();
         });
         double cpuSeconds = (SYSTEM.getProcessCpuTime() - before) / NANOSECONDS_IN_SECOND / count.get();

@@ -89,7 +89,8 @@ public final class WatchTimes {
 
     private static String sentence(List<Double> milliseconds) {
         Quantiles times = Quantiles.of(milliseconds);
-        return String.format(Locale.ROOT, "From the save of README's first scene to its picture of 500 x 500 pixels in the file, "
+        return String.format(Locale.ROOT,
+            "From the save of README's first scene to its picture of 500 x 500 pixels in the file, "
             + "%d times in the warm virtual machine: %.0f ms (%.0f - %.0f).%n",
             times.count(), times.median(), times.lower(), times.upper());
     }

@@ -4,115 +4,132 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import raytracing.command.Command;
-import raytracing.command.CommandLine;
-import raytracing.film.Film;
+import raytracing.film.Bands;
 import raytracing.film.ImageFile;
+import raytracing.parse.ParsedScene;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.program.Command;
+import raytracing.program.CommandLine;
+import raytracing.program.Failures;
+import raytracing.program.Option;
+import raytracing.program.Reporter;
+import raytracing.program.Watch;
+import raytracing.render.CancelledException;
+import raytracing.render.Drawing;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
 import raytracing.scene.Scene;
-import raytracing.watch.Messages;
-import raytracing.watch.Session;
-import raytracing.watch.StandardOutput;
 
-/** The program: {@code java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]}. */
+/**
+ * The program: {@code java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]}. Every picture takes three steps:
+ * {@link #parseScene}, {@link #renderScene} and {@link #saveImage}.
+ */
 public final class RayTracer {
     private static final int DONE = 0;
     private static final int MACHINE_FAILED = 1;
     private static final int USER_IS_WRONG = 2;
 
-    /** As after SIGINT, also where the window's Escape key stopped the drawing. */
+    /** As after SIGINT, also if the Escape key in the window stopped the drawing. */
     private static final int STOPPED = 130;
 
     private RayTracer() {
     }
 
-    /**
-     * Runs the program and ends the virtual machine: with 0 if all is done, 1 if the machine failed, 2 if the scene or
-     * the command is wrong, 130 if the user stopped the drawing.
-     *
-     * @param arguments the command line
-     */
+    /** Runs the program and ends the virtual machine with the exit status that {@code --help} lists. */
     public static void main(String[] arguments) {
         int status = run(arguments);
         if (status == MACHINE_FAILED) {
-            // If a signal is ending the program, an exit would wait for that for ever, and that waits for this thread.
+            // While a signal ends the program, exit() would wait for the shutdown hooks, and those wait for this thread.
             Runtime.getRuntime().halt(status);
         }
         System.exit(status);
     }
 
     /** Whatever happens, the user gets sentences on standard error and never a stack trace. */
-    private static int run(String... arguments) {
+    private static int run(String[] arguments) {
         try {
             Command command = CommandLine.parse(arguments);
             if (command instanceof Command.Draw draw) {
-                return Session.draw(draw) == Session.Outcome.FINISHED ? DONE : STOPPED;
+                return draw.wants(Option.WATCH) ? drawAtEverySave(draw) : drawOnce(draw);
             }
-            StandardOutput.print(command instanceof Command.Help ? CommandLine.HELP : version());
+            Reporter.printOutput(command instanceof Command.Help ? CommandLine.HELP : version());
             return DONE;
         } catch (RayTracerException wrong) {
             return failed(USER_IS_WRONG, wrong.messages());
         } catch (IOException failure) {
-            return failed(MACHINE_FAILED, List.of(Messages.sentence(failure)));
-        } catch (OutOfMemoryError tooLarge) {
-            return failed(MACHINE_FAILED, List.of(Messages.shortage(tooLarge)));
-        } catch (RuntimeException | Error unforeseen) {
-            return failed(MACHINE_FAILED, List.of(unforeseen(unforeseen)));
+            return failed(MACHINE_FAILED, Failures.messages(failure));
+        } catch (RuntimeException | Error failure) {
+            Optional<String> broken = brokenInstallation(failure);
+            return failed(MACHINE_FAILED, broken.isPresent() ? List.of(broken.get()) : Failures.messages(failure));
         }
     }
 
-    /** What explains a part that cannot be loaded needs no class of the program: it may be that part. */
-    private static String unforeseen(Throwable thrown) {
-        Throwable cause = thrown;
-        while (cause.getCause() != null) {
-            cause = cause.getCause();
+    static int drawOnce(Command.Draw command) throws RayTracerException, IOException {
+        Reporter reporter = new Reporter(command);
+        draw(command, reporter);
+        return reporter.finish() ? DONE : STOPPED;
+    }
+
+    /** {@code --watch}: the same three steps whenever the scene file is saved, until the window is closed. */
+    private static int drawAtEverySave(Command.Draw command) throws RayTracerException, IOException {
+        Watch watch = Watch.open(command);
+        for (Optional<Reporter> next = watch.awaitSave(); next.isPresent(); next = watch.awaitSave()) {
+            try {
+                draw(command, next.get());
+            } catch (RayTracerException | IOException | RuntimeException | OutOfMemoryError | StackOverflowError failure) {
+                watch.fail(failure);
+            }
         }
-        if (String.valueOf(cause.getMessage()).contains("Too many open files")) {
-            return "the system allows too few open files; after ulimit -n 64 there are enough";
+        return DONE;
+    }
+
+    private static void draw(Command.Draw command, Reporter reporter) throws RayTracerException, IOException {
+        try {
+            reporter.begin();
+            Scene scene = parseScene(command.scene(), reporter);
+            Drawing picture = renderScene(scene, command.settings(), reporter);
+            saveImage(picture, reporter.file(), reporter);
+        } catch (CancelledException stopped) {
+            reporter.stopped();
+        } finally {
+            reporter.end();
         }
-        if (!(thrown instanceof LinkageError)) {
-            return Messages.defect(thrown);
-        }
-        return ModuleLayer.boot().findModule("java.desktop").isEmpty()
-            ? "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
-            : "a part of Java or of the program cannot be loaded (" + cause + "); if none was replaced now, install both again";
     }
 
     /**
-     * First step: reads a scene file.
+     * The first step: reads a scene file and reports its warnings.
      *
-     * @param file where it is
-     * @return the scene it describes
-     * @throws RayTracerException if it is missing or wrong; says everything that is, up to 20 lines
-     * @throws IOException if it cannot be read
+     * @throws RayTracerException if the file is missing or wrong; has a message for each mistake, up to 20
+     * @throws IOException if the file cannot be read
      */
-    public static Scene parseScene(Path file) throws RayTracerException, IOException {
-        return SceneParser.parseFile(file).scene();
+    public static Scene parseScene(Path file, Reporter reporter) throws RayTracerException, IOException {
+        ParsedScene parsed = SceneParser.parseFile(file, reporter.preparation());
+        reporter.parsed(parsed);
+        return parsed.scene();
     }
 
     /**
-     * Second step: draws a scene.
-     *
-     * @param scene what to draw
-     * @param settings how
-     * @return the finished picture, linear light
+     * The second step: makes the scene ready and estimates its ambient light. The pixels are drawn lazily, band by band, while
+     * {@link #saveImage} writes the picture; so a picture may be larger than memory.
      */
-    public static Film renderScene(Scene scene, RenderSettings settings) {
-        return new Renderer(scene, settings).render();
+    public static Drawing renderScene(Scene scene, RenderSettings settings, Reporter reporter) {
+        return reporter.drawing(scene, Renderer.of(scene, settings, reporter.preparation()));
     }
 
     /**
-     * Third step: writes a picture.
+     * The third step: draws the bands of a picture, writes them into its file and reports that.
      *
-     * @param film the picture
-     * @param file where to, and in which format
-     * @throws IOException if it cannot be written; then whatever stood there before still does
+     * @throws CancelledException if the drawing is cancelled; the older file stays
+     * @throws IOException if the file cannot be written; the older file stays
      */
-    public static void saveImage(Film film, ImageFile file) throws IOException {
-        file.write(film);
+    public static void saveImage(Bands picture, ImageFile file, Reporter reporter) throws IOException {
+        try {
+            file.write(picture);
+        } catch (IOException failure) {
+            throw reporter.notSaved(failure);
+        }
+        reporter.saved();
     }
 
     private static int failed(int status, List<String> messages) {
@@ -120,6 +137,27 @@ public final class RayTracer {
             System.err.println(message);
         }
         return status;
+    }
+
+    /**
+     * Explains why a class could not be loaded; empty after other failures. Uses no class of the program, since that may be
+     * the one that cannot be loaded.
+     */
+    private static Optional<String> brokenInstallation(Throwable thrown) {
+        Throwable cause = thrown;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        if (String.valueOf(cause.getMessage()).contains("Too many open files")) {
+            return Optional.of("the system allows too few open files; after ulimit -n 64 there are enough");
+        }
+        if (!(thrown instanceof LinkageError)) {
+            return Optional.empty();
+        }
+        return Optional.of(ModuleLayer.boot().findModule("java.desktop").isEmpty()
+            ? "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
+            : "a part of Java or of the program cannot be loaded (" + cause
+                + "); if none was replaced now, install both again");
     }
 
     private static String version() {

@@ -2,6 +2,7 @@ package raytracing;
 
 import java.util.OptionalDouble;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
  * A white ball over an endless white floor, y = 0, under one lamp with full shadows and a sky of 1/4, solved on paper.
@@ -28,12 +29,12 @@ record BallOverFloor(Vector centre, double radius, Vector lamp) {
         }
         if (missedBy < radius) {
             double halfChord = Math.sqrt((radius - missedBy) * (radius + missedBy));
-            return OptionalDouble.of(greyOfBall(eye.plus(toCentre.dot(w) - halfChord, w)));
+            return OptionalDouble.of(greyOfBall(Vectors.plus(eye, toCentre.dot(w) - halfChord, w)));
         }
         if (Math.abs(w.y()) < open) {
             return DrawnPicture.UNDECIDED;
         }
-        return w.y() < 0 ? greyOfFloor(eye.plus(-eye.y() / w.y(), w), open) : OptionalDouble.of(SKY);
+        return w.y() < 0 ? greyOfFloor(Vectors.plus(eye, -eye.y() / w.y(), w), open) : OptionalDouble.of(SKY);
     }
 
     private double greyOfBall(Vector point) {

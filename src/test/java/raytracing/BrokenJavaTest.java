@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A Java that lacks something, or a jar that does: sentences, and never a stack trace. */
+/** If Java or the jar lacks something, the program prints sentences and never a stack trace. */
 class BrokenJavaTest {
     private static final String SCENE = "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.25 0.5 1 1 1\n";
 
@@ -25,7 +25,7 @@ class BrokenJavaTest {
         Files.writeString(folder.resolve("scene.txt"), SCENE);
     }
 
-    /** With fewer, Java 17 ends before it comes to the program, in words of its own. */
+    /** With fewer, Java 17 ends with its own message before it starts the program. */
     @ParameterizedTest
     @ValueSource(ints = {6, 7, 8, 10, 16})
     void fewFileHandlesAreEnoughOrSaid(int handles) throws Exception {

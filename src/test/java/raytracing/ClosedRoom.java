@@ -3,6 +3,7 @@ package raytracing;
 import java.util.ArrayList;
 import java.util.List;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
  * Walls without a gap around an empty space: no light enters, whatever is outside. Places are counted in units from the
@@ -39,7 +40,7 @@ record ClosedRoom(String name, Vector middle, double unit, double reach, double 
         }
 
         private Vector point(double x, double y, double z) {
-            return middle.plus(new Vector(x, y, z)).times(unit);
+            return Vectors.plus(middle, new Vector(x, y, z)).times(unit);
         }
     }
 
@@ -146,7 +147,7 @@ record ClosedRoom(String name, Vector middle, double unit, double reach, double 
 
     /** A place in the scene. */
     Vector at(Vector units) {
-        return middle.plus(unit, units);
+        return Vectors.plus(middle, unit, units);
     }
 
     /**
@@ -162,7 +163,7 @@ record ClosedRoom(String name, Vector middle, double unit, double reach, double 
 
     /** The same with the eye moved aside, in units; it looks the same way. */
     String cameraMoved(Vector eye, Vector target, double width, Vector aside) {
-        return camera(at(eye).plus(unit, aside), at(target).plus(unit, aside), target.minus(eye), width);
+        return camera(Vectors.plus(at(eye), unit, aside), Vectors.plus(at(target), unit, aside), target.minus(eye), width);
     }
 
     private static String camera(Vector eye, Vector target, Vector view, double width) {

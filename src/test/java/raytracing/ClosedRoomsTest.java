@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.ClosedRoom.Place;
 import raytracing.math.Vector;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /**
  * No light enters a closed room, and no ray leaves it, not even where it meets an edge or a corner exactly. So all
@@ -28,10 +28,10 @@ class ClosedRoomsTest {
     private static final String DARK_SKY = "set 0 0 0  1 5";
     private static final double WIDE = 0.75;
 
-    /** Of a sum of areas. */
+    /** The rounding of a sum of areas. */
     private static final double ROUNDING = 1e-9;
 
-    /** Sizes and places: as exact as numbers can be, and as inexact as they often are. */
+    /** Sizes and places: some are exact as doubles, the others are rounded. */
     static List<Place> places() {
         return List.of(HERE, Place.at(2, -3, 5, 1), Place.at(3, 7, 2, 0.1), Place.at(1001, -73, 2.5, 0.1),
             Place.at(0, 0, 0, 1.0 / 3), Place.at(0.3, 0.7, 0.2, 1e-9), Place.at(3, 1, -7, 1e12));
@@ -97,7 +97,8 @@ class ClosedRoomsTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
     void theOrderOfTheWallsLetsNoLightIn(int seed) {
-        for (ClosedRoom room : List.of(ClosedRoom.ofPlanes(HERE, 1), ClosedRoom.ofCubes(HERE, 3), ClosedRoom.ofBall(HERE, 1))) {
+        for (ClosedRoom room : List.of(ClosedRoom.ofPlanes(HERE, 1), ClosedRoom.ofCubes(HERE, 3),
+            ClosedRoom.ofBall(HERE, 1))) {
             List<String> walls = new ArrayList<>(room.walls());
             Collections.shuffle(walls, new Random(seed));
             ClosedRoom shuffled = room.withWalls(room.name() + ", shuffled with seed " + seed, walls);
@@ -107,7 +108,7 @@ class ClosedRoomsTest {
         }
     }
 
-    /** Exact numbers, so that the planes of joints are exactly those of the eye: it looks into no joint. */
+    /** With exact numbers the planes of the joints contain the eye exactly, so that it looks into no joint. */
     static Stream<ClosedRoom> exactShells() {
         return Stream.of(HERE, Place.at(2, -6, 4, 1), Place.at(1, 3, -5, 0.5), Place.at(0, 0, 0, 0x1p40))
             .map(place -> ClosedRoom.ofCubes(place, 5));
@@ -133,7 +134,8 @@ class ClosedRoomsTest {
     @ParameterizedTest
     @ValueSource(ints = {32, 61, 64, 101})
     void noSizeOfThePictureFindsAnOpenJoint(int size) {
-        for (ClosedRoom room : List.of(ClosedRoom.ofPlanes(HERE, 1), ClosedRoom.ofCubes(HERE, 3), ClosedRoom.ofPyramid(HERE, 1),
+        for (ClosedRoom room : List.of(ClosedRoom.ofPlanes(HERE, 1), ClosedRoom.ofCubes(HERE, 3),
+            ClosedRoom.ofPyramid(HERE, 1),
             ClosedRoom.ofBall(HERE, 1))) {
             new DarkRoom(room, size)
                 .drawAll(DarkRoom.SKY_BEHIND_12_REFLECTIONS, DarkRoom.HALF_A_MIRROR, DarkRoom.LESS_THAN_A_THOUSANDTH, HARD,
@@ -169,7 +171,7 @@ class ClosedRoomsTest {
             DarkRoom.LESS_THAN_A_THOUSANDTH, HARD, List.of()).assertBlack();
     }
 
-    /** Perfect mirrors never tire: even after 60 reflections nothing of the lamps has come in. */
+    /** Perfect mirrors: even after 60 reflections no light of the lamps has come in. */
     @ParameterizedTest
     @MethodSource("perfectMirrors")
     void noLampLightsARoomOfPerfectMirrors(ClosedRoom room) {
@@ -183,7 +185,7 @@ class ClosedRoomsTest {
             ClosedRoom.ofCubesAndPlanes(Place.at(0.3, 0.7, 0.2, 1.0 / 3), 1));
     }
 
-    /** Whatever reaches the walls comes from outside, so the estimate of the room's light finds none. */
+    /** The walls are lit from outside only, so the estimate of the ambient light inside is 0. */
     @ParameterizedTest
     @MethodSource({"roomsOfPlanes", "roomsOfCubes", "otherRooms"})
     void noAmbientLightIsFoundInAMatteRoom(ClosedRoom room) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.render.RenderSettings;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /**
  * Where two surfaces coincide, the one that stands first in the scene is seen, in every pixel, and has all its light. All
@@ -97,7 +97,7 @@ class CoincidentSurfacesTest {
         assertFirstIsSeen(pair, pair.side().mirrored(), List.of(pair.side().mirror() + MIRROR));
     }
 
-    /** More bodies of a kind than are asked one by one, far away. */
+    /** More bodies of a kind than are tested without a hierarchy, far away. */
     @ParameterizedTest
     @MethodSource("coincidences")
     void theFirstOfTwoIsSeenInACrowd(Coincidence pair) {
@@ -145,10 +145,10 @@ class CoincidentSurfacesTest {
     private static Film picture(RenderSettings settings, List<String> lines) {
         List<String> all = new ArrayList<>(MATERIALS);
         all.addAll(lines);
-        return RayTracer.renderScene(SceneText.scene(all.toArray(String[]::new)), settings);
+        return Steps.renderScene(SceneText.scene(all.toArray(String[]::new)), settings);
     }
 
-    /** The last bit of a number is enough to be nearer, and then the order in the scene says nothing. */
+    /** A surface that is nearer by the last bit of a number is seen, whatever the order in the scene. */
     static Stream<Coincidence> nearerByABit() {
         String above1 = "pln 0 1 0 1.0000000000000002";
         String below1 = "pln 0 1 0 0.9999999999999999";
@@ -199,7 +199,8 @@ class CoincidentSurfacesTest {
     @CsvSource({"box 0 0 0 2, box 2 2 0 2", "box 2 2 0 2, box 0 0 0 2", "box 0.5 0.5 0 1, box 2 2 0 2",
         "box 2 2 0 2, box 0.5 0.5 0 1"})
     void ofTwoBoxesWithACommonEdgeTheFirstIsSeenInIt(String first, String second) {
-        Film film = picture(SETTINGS, List.of("cam -1 3 0  1 1 0  0 0 1  1 0.25", "set 0 0 0  1 1", first + RED, second + GREEN,
+        Film film = picture(SETTINGS, List.of("cam -1 3 0  1 1 0  0 0 1  1 0.25", "set 0 0 0  1 1", first + RED,
+            second + GREEN,
             "lgt -1 3 0  1 1 1  1 0 0"));
         List<Character> found = IntStream.range(0, SIZE).mapToObj(y -> letter(film.get(SIZE / 2, y))).distinct().toList();
         assertEquals(List.of('R'), found);
@@ -210,7 +211,7 @@ class CoincidentSurfacesTest {
     @ValueSource(doubles = {1, 3, 5, 7, 10, 0.1})
     void theTopOfABoxHasAllItsPixelsBeforeAPlane(double k) {
         int size = 240;
-        Film film = RayTracer.renderScene(SceneText.scene("cam 2.2 2.6 -4  0 0.3 0  0 1 0  1 1", "set 0.1 0.1 0.2  1 4",
+        Film film = Steps.renderScene(SceneText.scene("cam 2.2 2.6 -4  0 0.3 0  0 1 0  1 1", "set 0.1 0.1 0.2  1 4",
             "mtl 0.9 0.2 0.2  0 0 0  0 0 0  10 0", "mtl 0.7 0.7 0.6  0 0 0  0 0 0  1 0", "box 0 0 0 2 1",
             "pln 0 " + k + " 0 " + k + " 2", "lgt 3 5 -4  0.8 0.8 0.8  1 1 0"), RenderSettings.DEFAULT.withSize(size, size));
         long red = IntStream.range(0, size * size).mapToObj(i -> film.get(i % size, i / size))
@@ -266,7 +267,7 @@ class CoincidentSurfacesTest {
         }
     }
 
-    /** But for rounding in the areas of exact shadows, which see the shadow of each surface. */
+    /** Exact shadows add up areas of the shadow of each surface, and so may round. */
     private static boolean isSame(Color found, Color expected) {
         return Math.abs(found.red() - expected.red()) <= ROUNDING && Math.abs(found.green() - expected.green()) <= ROUNDING
             && Math.abs(found.blue() - expected.blue()) <= ROUNDING;

@@ -15,10 +15,11 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import raytracing.ambient.AmbientLight;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
-import raytracing.shade.AmbientLight;
+import raytracing.render.Renderers;
 
 /**
  * The pictures in the scenes folder are what this program draws today. Held are bands of rows, a tenth of each picture, to
@@ -51,7 +52,7 @@ public class CommittedScenesTest {
     @MethodSource("scenesWithoutAmbientLight")
     void picturesWithoutAmbientLightAreWhatTheirScenesDraw(Path scene) throws Exception {
         assertPictureIsDrawn(ScenePictures.pictureWithoutAmbientLight(scene), scene,
-            renderer -> renderer.inAmbientLight(AmbientLight.NONE));
+            renderer -> Renderers.inAmbientLight(renderer, AmbientLight.NONE));
     }
 
     private static void assertPictureIsDrawn(Path picture, Path scene, UnaryOperator<Renderer> light) throws Exception {
@@ -61,8 +62,8 @@ public class CommittedScenesTest {
         assertEquals(settings.height(), committed.getHeight());
         for (int top = FIRST_ROW; top < settings.height(); top += BETWEEN_BANDS) {
             Region band = new Region(0, top, settings.width(), top + ROWS);
-            Renderer renderer = new Renderer(RayTracer.parseScene(scene), settings.withRegion(band));
-            BufferedImage drawn = light.apply(renderer).render().toImage();
+            Renderer renderer = Renderers.of(Steps.parseScene(scene), settings.withRegion(band));
+            BufferedImage drawn = Renderers.film(light.apply(renderer)).toImage();
             PictureDifference difference =
                 new PictureDifference(drawn, committed.getSubimage(0, top, settings.width(), ROWS));
             assertEquals(0, difference.shareOffByMoreThan(0), () -> band + ": " + difference);

@@ -3,11 +3,11 @@ package raytracing;
 import java.io.PrintStream;
 import java.util.Locale;
 import javax.imageio.ImageIO;
-import raytracing.compiled.ShadowMode;
 import raytracing.render.RenderSettings;
+import raytracing.trace.ShadowMode;
 
 /**
- * The course's scenes, which are not ours to keep here, and two sets of pictures of them: those that the course gave out,
+ * The course's scenes, which may not be published here, and two sets of pictures of them: those that the course gave out,
  * and {@code expected}, by an independent renderer with the conventions of this one. They lie beside the checkout or are
  * missing.
  */
@@ -22,7 +22,7 @@ final class CourseScenes {
     static PictureDifference difference(String scene, ShadowMode shadowMode, String picture) throws Exception {
         RenderSettings settings = RenderSettings.DEFAULT.withShadowMode(shadowMode);
         return new PictureDifference(
-            RayTracer.renderScene(RayTracer.parseScene(Shared.SCENES.resolve(scene + ".txt")), settings).toImage(),
+            Steps.renderScene(Steps.parseScene(Shared.SCENES.resolve(scene + ".txt")), settings).toImage(),
             ImageIO.read(Shared.SCENES.resolve(picture).toFile()));
     }
 

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import raytracing.compiled.ShadowMode;
+import raytracing.trace.ShadowMode;
 
 /** Holds our pictures of the course's scenes to both sets of pictures. Skips where they are missing. */
 class CourseScenesTest {

@@ -11,7 +11,7 @@ final class Crowd {
     private Crowd() {
     }
 
-    /** Has programs draw one scene at once, half of them into the same file, and demands that each finds its picture there. */
+    /** Starts many programs that draw one scene, half of them into the same file, and checks the picture of each. */
     static void draw(Path folder, int count) throws IOException, InterruptedException {
         assertDrawn(folder, start(folder, "expected.png", "expected.log"), "expected.png", "expected.log");
         List<Process> programs = new ArrayList<>();

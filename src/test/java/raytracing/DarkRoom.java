@@ -8,7 +8,7 @@ import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.math.Vector;
 import raytracing.render.RenderSettings;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /**
  * A closed room with all its lamps outside: every pixel must be black. The pictures that are not are collected, so that a
@@ -22,7 +22,7 @@ final class DarkRoom {
     static final String SKY_BEHIND_12_REFLECTIONS = "set 1 1 1  1 12";
     static final double NOTHING = 0;
 
-    /** What a bright sky may leave after many reflections; a picture of 8 bits shows twice as much as 0. */
+    /** What may remain of a bright sky after many reflections; in a picture of 8 bits, twice as much is still 0. */
     static final double LESS_THAN_A_THOUSANDTH = 1e-3;
 
     private final ClosedRoom room;
@@ -45,7 +45,7 @@ final class DarkRoom {
 
     /** Draws one picture and counts its pixels that are lit. */
     int draw(String name, double mostLight, ShadowMethod method, List<String> lines) {
-        Film film = RayTracer.renderScene(SceneText.scene(lines.toArray(String[]::new)),
+        Film film = Steps.renderScene(SceneText.scene(lines.toArray(String[]::new)),
             RenderSettings.DEFAULT.withSize(size, size).withShadowMethod(method));
         int count = 0;
         for (int pixel = 0; pixel < size * size; pixel++) {

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracing.math.Basis;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Scene;
 
 /**
@@ -44,7 +44,7 @@ class DegenerateScenesTest {
     }
 
     private static String camera(Vector eye, Vector view, Vector up, double width) {
-        return "cam" + DrawnPicture.numbers(eye) + DrawnPicture.numbers(eye.plus(view)) + DrawnPicture.numbers(up)
+        return "cam" + DrawnPicture.numbers(eye) + DrawnPicture.numbers(Vectors.plus(eye, view)) + DrawnPicture.numbers(up)
             + "1 " + width;
     }
 
@@ -68,7 +68,7 @@ class DegenerateScenesTest {
         Vector start = from.minus(centre);
         double foot = -start.dot(w);
         double missedBy = start.cross(w).length();
-        return from.plus(foot + Math.sqrt((radius - missedBy) * (radius + missedBy)), w);
+        return Vectors.plus(from, foot + Math.sqrt((radius - missedBy) * (radius + missedBy)), w);
     }
 
     /**
@@ -91,14 +91,14 @@ class DegenerateScenesTest {
     })
     void aLampInAPlaneLightsTheRoomOnBothSidesAndNotThePlane(String normal, double offset, String lamp, int material) {
         Vector light = vector(lamp);
-        Basis frame = Basis.around(vector(normal).unit());
+        Vectors.Axes frame = Vectors.around(vector(normal).unit());
         for (double side : List.of(1.0, -1.0)) {
             Vector up = frame.w().times(side);
             Vector right = frame.v().times(side);
-            Vector eye = light.plus(up).minus(frame.u());
+            Vector eye = Vectors.plus(light, up).minus(frame.u());
             picture(List.of("sph 0 0 0 5 1", "pln " + normal + " " + offset + " " + material), lamp(light),
                 camera(eye, frame.u(), up, 2)).assertSolved(ROUNDING, (x, y) -> {
-                    Vector ray = frame.u().plus(x, right).plus(y, up);
+                    Vector ray = Vectors.plus(Vectors.plus(frame.u(), x, right), y, up);
                     Vector wall = wallOfBall(Vector.ZERO, 5, eye, ray);
                     double above = wall.minus(light).dot(up);
                     if (Math.abs(above) < OPEN) {
@@ -119,7 +119,7 @@ class DegenerateScenesTest {
         Vector light = vector(lamp);
         picture(List.of("sph " + centre + " " + radius + " 1"), lamp(light), camera(vector(centre), X, Y, 4))
             .assertSolved(ROUNDING, (right, up) -> {
-                Vector wall = vector(centre).plus(radius, new Vector(1, 2 * up, -2 * right).unit());
+                Vector wall = Vectors.plus(vector(centre), radius, new Vector(1, 2 * up, -2 * right).unit());
                 return OptionalDouble.of(light.minus(wall).length() / (2 * radius));
             });
     }
@@ -135,11 +135,11 @@ class DegenerateScenesTest {
     void aLampOnABallLightsWhatIsOnItsSideOfTheTangentPlane(String centre, double radius, String lamp) {
         Vector light = vector(lamp);
         Vector middle = vector(centre);
-        Vector eye = middle.plus(radius, new Vector(1.5, 3, 0));
+        Vector eye = Vectors.plus(middle, radius, new Vector(1.5, 3, 0));
         picture(List.of("sph " + centre + " " + radius + " 1", "pln 0 1 0 " + (middle.y() - 2 * radius) + " 1"),
-            lamp(light), camera(eye, Y.negated(), Z, 2)).assertSolved(ROUNDING, (right, up) -> {
+            lamp(light), camera(eye, Vectors.negated(Y), Z, 2)).assertSolved(ROUNDING, (right, up) -> {
                 Vector ray = new Vector(right, -1, up);
-                Vector floor = eye.plus(5 * radius, ray);
+                Vector floor = Vectors.plus(eye, 5 * radius, ray);
                 double missedBy = middle.minus(eye).cross(ray.unit()).length();
                 double edge = floor.x() - (light.x() - 1.6 * radius);
                 if (Math.abs(missedBy - radius) < OPEN || Math.abs(edge) < OPEN) {
@@ -156,7 +156,7 @@ class DegenerateScenesTest {
     void aLampOnAFaceOfABoxLightsTheOtherFacesFromInside(String centre, double edge, String lamp) {
         Vector light = vector(lamp);
         PaperBox box = new PaperBox(vector(centre), edge);
-        Vector eye = vector(centre).plus(edge, new Vector(0.1, -0.2, 0.05));
+        Vector eye = Vectors.plus(vector(centre), edge, new Vector(0.1, -0.2, 0.05));
         picture(List.of(box.line(1)), lamp(light), camera(eye, X, Y, 4))
             .assertSolved(ROUNDING, (right, up) -> box.innerWall(eye, new Vector(1, 2 * up, -2 * right))
                 .map(wall -> OptionalDouble.of(wall.lightOf(light))).orElse(DrawnPicture.UNDECIDED));
@@ -171,10 +171,10 @@ class DegenerateScenesTest {
     void aLampOnAFaceOfABoxLightsWhatIsOnItsSideOfTheFace(String centre, double edge, String lamp) {
         Vector light = vector(lamp);
         PaperBox box = new PaperBox(vector(centre), edge);
-        Vector eye = vector(centre).plus(edge, new Vector(0, 2.5, 0));
+        Vector eye = Vectors.plus(vector(centre), edge, new Vector(0, 2.5, 0));
         picture(List.of(box.line(1), "pln 0 1 0 " + (vector(centre).y() - 1.5 * edge) + " 1"), lamp(light),
-            camera(eye, Y.negated(), Z, 2)).assertSolved(ROUNDING, (right, up) -> {
-                Vector floor = eye.plus(4 * edge, new Vector(right, -1, up));
+            camera(eye, Vectors.negated(Y), Z, 2)).assertSolved(ROUNDING, (right, up) -> {
+                Vector floor = Vectors.plus(eye, 4 * edge, new Vector(right, -1, up));
                 if (box.isMetBetween(eye, floor).isEmpty() || Math.abs(floor.x() - light.x()) < OPEN) {
                     return DrawnPicture.UNDECIDED;
                 }
@@ -203,11 +203,11 @@ class DegenerateScenesTest {
         picture(List.of("sph 0 0 0 1 1"), lamp(light), camera(eye, Z, Y, 4))
             .assertSolved(ROUNDING, (right, up) -> {
                 Vector wall = wallOfBall(Vector.ZERO, 1, eye, new Vector(2 * right, 2 * up, 1));
-                return OptionalDouble.of(lightOn(wall, wall.negated(), light));
+                return OptionalDouble.of(lightOn(wall, Vectors.negated(wall), light));
             });
     }
 
-    /** A law: whatever the eye sees, a lamp in the same place sees too. */
+    /** A rule: a lamp at the eye lights all that the eye sees. */
     @Test
     void aLampAtTheEyeThrowsNoShadowThatIsSeen() {
         picture(BODIES, AHEAD, "lgt 0 0 0  1 1 1  1 1 0").assertLike(
@@ -234,7 +234,7 @@ class DegenerateScenesTest {
     void anEyeOnABallSeesItsFarWallOrNothingOfIt(String centre, double radius, String eye) {
         Vector middle = vector(centre);
         Vector start = vector(eye);
-        Vector light = middle.plus(radius, new Vector(0.2, -0.1, 0.3));
+        Vector light = Vectors.plus(middle, radius, new Vector(0.2, -0.1, 0.3));
         picture(List.of("sph " + centre + " " + radius + " 1"), lamp(light),
             camera(start, Z, Y, 2)).assertSolved(ROUNDING, (right, up) -> {
                 Vector w = new Vector(right, up, 1).unit();
@@ -242,7 +242,7 @@ class DegenerateScenesTest {
                 if (Math.abs(across) < OPEN) {
                     return DrawnPicture.UNDECIDED;
                 }
-                Vector wall = start.plus(across, w);
+                Vector wall = Vectors.plus(start, across, w);
                 Vector inwards = middle.minus(wall).times(1 / radius);
                 return OptionalDouble.of(across < 0 ? 0.25 : lightOn(wall, inwards, light));
             });
@@ -254,8 +254,8 @@ class DegenerateScenesTest {
         "0.55 0.55 0.55, 0.3, 0.5 0.6 0.4"})
     void anEyeOnAFaceOfABoxSeesItsFarWallsOrNothingOfIt(String centre, double edge, String eye) {
         PaperBox box = new PaperBox(vector(centre), edge);
-        Vector light = box.centre().plus(edge, new Vector(0.2, -0.1, 0.3));
-        picture(List.of(box.line(1)), lamp(light), camera(vector(eye), X.negated(), Y, 2))
+        Vector light = Vectors.plus(box.centre(), edge, new Vector(0.2, -0.1, 0.3));
+        picture(List.of(box.line(1)), lamp(light), camera(vector(eye), Vectors.negated(X), Y, 2))
             .assertSolved(ROUNDING, (right, up) -> {
                 if (Math.abs(right) < OPEN) {
                     return DrawnPicture.UNDECIDED;

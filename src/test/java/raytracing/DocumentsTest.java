@@ -16,9 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracing.command.CommandLine;
+import raytracing.program.CommandLine;
 
-/** What the documents say is there, is there. */
+/** The files, scenes, options, tasks, packages and messages that the documents name exist. */
 class DocumentsTest {
     private static final Path README = Path.of("README.md");
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)\\)");
@@ -87,7 +87,7 @@ class DocumentsTest {
         }
     }
 
-    /** The messages that README explains are those that the program has, or Java. */
+    /** Every message that README explains is one of the program or of Java. */
     @Test
     void theReadmeExplainsMessagesThatExist() throws IOException {
         String readme = Files.readString(README);

@@ -20,7 +20,7 @@ import raytracing.scene.Scene;
 final class DrawnPicture {
     static final int SIZE = 61;
 
-    /** What the paper says of a pixel so close to an outline that rounding may decide it. */
+    /** The solution of a pixel that is so close to an outline that rounding may decide it. */
     static final OptionalDouble UNDECIDED = OptionalDouble.empty();
 
     private static final double MOST_UNDECIDED = 0.02;
@@ -43,7 +43,7 @@ final class DrawnPicture {
 
     static DrawnPicture of(Scene scene) {
         DrawnPicture picture = new DrawnPicture(
-            RayTracer.renderScene(scene, RenderSettings.DEFAULT.withSize(SIZE, SIZE)));
+            Steps.renderScene(scene, RenderSettings.DEFAULT.withSize(SIZE, SIZE)));
         picture.assertFinite();
         return picture;
     }
@@ -66,7 +66,7 @@ final class DrawnPicture {
         }
     }
 
-    /** Holds every pixel to the solution, but for the few that it leaves open. */
+    /** Compares every pixel with the solution, except for the few that it leaves open. */
     void assertSolved(double tolerance, Solution solution) {
         Set<Double> greys = new HashSet<>();
         int undecided = 0;
@@ -87,7 +87,7 @@ final class DrawnPicture {
         assertTrue(greys.size() > 1, "an even picture proves nothing");
     }
 
-    /** Holds every pixel to that of another picture. */
+    /** Compares every pixel with that of another picture. */
     void assertLike(DrawnPicture other, double tolerance) {
         Differences differences = new Differences();
         for (int y = 0; y < SIZE; y++) {

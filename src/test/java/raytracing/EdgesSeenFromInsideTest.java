@@ -20,7 +20,7 @@ import raytracing.render.RenderSettings;
 class EdgesSeenFromInsideTest {
     private static final int SIZE = 41;
 
-    /** Of the room's unit. */
+    /** In the room's unit. */
     private static final double ASIDE = 2e-7;
     private static final double STEP_OF_A_PICTURE = 1.0 / 255;
 
@@ -106,7 +106,7 @@ class EdgesSeenFromInsideTest {
             String wall = room.walls().get(i);
             lines.add(wall + " " + (wall.startsWith("box") ? COLOURS.size() : 1 + i % (COLOURS.size() - 1)));
         }
-        return RayTracer.renderScene(SceneText.scene(lines.toArray(String[]::new)),
+        return Steps.renderScene(SceneText.scene(lines.toArray(String[]::new)),
             RenderSettings.DEFAULT.withSize(SIZE, SIZE));
     }
 }

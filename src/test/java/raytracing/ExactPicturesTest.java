@@ -11,8 +11,9 @@ import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /** Exact shadows in all pictures of this project. */
 class ExactPicturesTest {
@@ -34,13 +35,13 @@ class ExactPicturesTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("scenes")
     void areTheLimitOfSampledOnes(Path file) throws Exception {
-        Scene scene = RayTracer.parseScene(file);
-        Renderer exactly = new Renderer(scene, EXACT);
-        Film exact = exactly.render();
+        Scene scene = Steps.parseScene(file);
+        Renderer exactly = Renderers.of(scene, EXACT);
+        Film exact = Renderers.film(exactly);
         Film[] sampled = new Film[RUNS];
         for (int run = 0; run < RUNS; run++) {
             RenderSettings settings = SMALL.withSeed(run + 1).withShadowMethod(ShadowMethod.Sampled.withRoot(16));
-            sampled[run] = new Renderer(scene, settings).inAmbientLight(exactly.ambientLight()).render();
+            sampled[run] = Renderers.film(Renderers.inAmbientLight(Renderers.of(scene, settings), exactly.ambientLight()));
         }
         double squares = 0;
         double variances = 0;
@@ -72,9 +73,9 @@ class ExactPicturesTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("scenes")
     void areTheSameForEveryNumberOfThreadsAndEveryTileSize(Path file) throws Exception {
-        Scene scene = RayTracer.parseScene(file);
-        Film one = RayTracer.renderScene(scene, EXACT.withWorkers(1, SIZE));
-        Film other = RayTracer.renderScene(scene, EXACT.withWorkers(3, 7));
+        Scene scene = Steps.parseScene(file);
+        Film one = Steps.renderScene(scene, EXACT.withWorkers(1, SIZE));
+        Film other = Steps.renderScene(scene, EXACT.withWorkers(3, 7));
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
                 assertEquals(one.get(x, y), other.get(x, y), "pixel " + x + ", " + y);

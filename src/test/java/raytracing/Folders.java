@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What tests find in their folders. */
+/** Lists the files in folders of tests. */
 public final class Folders {
     private Folders() {
     }

@@ -1,6 +1,5 @@
 package raytracing;
 
-
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,7 +22,8 @@ record JavaWithout(Path home) implements AutoCloseable {
                     Path copy = home.resolve(Program.JAVA_HOME.relativize(file));
                     if (Files.isDirectory(file)) {
                         Files.createDirectories(copy);
-                    } else if (List.of("java", "libjvm.so", "libjli.so", "libawt.so").contains(file.getFileName().toString())) {
+                    } else if (List.of("java", "libjvm.so", "libjli.so",
+                        "libawt.so").contains(file.getFileName().toString())) {
                         Files.createDirectories(copy.getParent());
                         Files.copy(file, copy);
                     } else if (!copy.equals(home.resolve(missing))) {

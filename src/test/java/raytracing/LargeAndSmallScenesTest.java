@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Scenes whose lengths are ten powers of ten apart. What is large there is flat or parallel on paper. */
 class LargeAndSmallScenesTest {
@@ -84,7 +85,7 @@ class LargeAndSmallScenesTest {
                 Vector front = new Vector(x, (20 * up + 3) / 8, -0.5);
                 Vector floor = new Vector(x, 0, 10 * up / 3);
                 Vector alongView = new Vector(0, -0.6, 0.8);
-                Optional<Boolean> seesCube = cube.isMetBetween(floor.plus(-9, alongView), floor);
+                Optional<Boolean> seesCube = cube.isMetBetween(Vectors.plus(floor, -9, alongView), floor);
                 Optional<Boolean> isShaded = cube.isMetBetween(floor, lamp);
                 if (seesCube.isEmpty() || isShaded.isEmpty() || Math.abs(top.z() + 0.5) < 1e-6) {
                     return DrawnPicture.UNDECIDED;

@@ -56,17 +56,19 @@ class LocaleTest {
 
     @Test
     void theLocaleOfTheAdviceHelps() throws Exception {
-        Skipped.unless(Shell.run(folder, "locale -a | grep -qi 'C.utf-\\?8'").status() == 0, "there is no locale C.UTF-8 here");
+        Skipped.unless(Shell.run(folder, "locale -a | grep -qi 'C.utf-\\?8'").status() == 0,
+            "there is no locale C.UTF-8 here");
         Shell shell = shell("mkdir $french && cp scene.txt $french/$hebrew.txt && cd $french",
             "draw C.UTF-8 $hebrew.txt $french.png", "status=$?", "cd ..", "rm $french/$french.png || status=9",
             "rm -r $french", "exit $status");
         assertEquals(new Shell(0, ""), shell);
     }
 
-    /** A file from an old system, whose name no locale of today can spell. */
+    /** A file from an old system, with a name that is not valid in any encoding of today. */
     @Test
     void aNameThatIsNotInUtf8IsToBeRenamed() throws Exception {
-        Skipped.unless(Shell.run(folder, "locale -a | grep -qi 'C.utf-\\?8'").status() == 0, "there is no locale C.UTF-8 here");
+        Skipped.unless(Shell.run(folder, "locale -a | grep -qi 'C.utf-\\?8'").status() == 0,
+            "there is no locale C.UTF-8 here");
         Shell shell = shell("cp scene.txt $latin.txt", "draw C.UTF-8 $latin.txt out.png", "status=$?", "rm $latin.txt",
             "exit $status");
         assertEquals(new Shell(2, "caf\ufffd.txt: Java cannot read all letters of this name, which is not in UTF-8 as "

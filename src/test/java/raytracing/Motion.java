@@ -2,14 +2,15 @@ package raytracing;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
 import raytracing.scene.Scene;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * Takes a scene, camera and all, to another place in the world; its picture stays the same.
@@ -37,7 +38,7 @@ record Motion(UnaryOperator<Vector> turn, Vector shift) {
     }
 
     private Vector moved(Vector point) {
-        return turn.apply(point).plus(shift);
+        return Vectors.plus(turn.apply(point), shift);
     }
 
     private Surface moved(Surface surface) {

@@ -8,19 +8,20 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.render.RenderSettings;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
- * A law of scenes without a place: moved a million times its own size away from the world's origin, a scene looks the
- * same. Its size is its largest coordinate, but for those of lamps, many of which stand for the sun; the shift is that
- * size, rounded up to a power of two, times 2^20 along every axis.
+ * The picture does not depend on the place of the scene: moved a million times its own size away from the world's origin,
+ * a scene looks the same. Its size is its largest coordinate, but for those of lamps, many of which stand for the sun; the
+ * shift is that size, rounded up to a power of two, times 2^20 along every axis.
  *
  * <p>Moving a scene rounds its numbers to the coarse grid that doubles have out there, and that alone may open joints
  * and shift edges. So the scene that stays is the moved one, moved back, which rounds nothing: the two are the same to
@@ -37,14 +38,14 @@ class MovedSceneTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("raytracing.CommittedScenesTest#scenes")
     void aMillionSizesAwayAScenesPictureIsTheSame(Path file) throws Exception {
-        Scene scene = withHardShadowsAndShortNormals(RayTracer.parseScene(file));
+        Scene scene = withHardShadowsAndShortNormals(Steps.parseScene(file));
         double shift = 0x1p20 * powerOfTwoAbove(size(scene));
         Vector there = new Vector(shift, -shift, shift);
         Scene moved = Motion.by(there).moved(scene);
-        Scene unmoved = Motion.by(there.negated()).moved(moved);
+        Scene unmoved = Motion.by(Vectors.negated(there)).moved(moved);
         assertEquals(moved, Motion.by(there).moved(unmoved), "the two scenes differ by more than their place");
         PictureDifference difference = new PictureDifference(
-            RayTracer.renderScene(moved, SMALL).toImage(), RayTracer.renderScene(unmoved, SMALL).toImage());
+            Steps.renderScene(moved, SMALL).toImage(), Steps.renderScene(unmoved, SMALL).toImage());
         assertTrue(difference.psnr() >= 60, difference::toString);
     }
 

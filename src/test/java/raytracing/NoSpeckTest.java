@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracing.math.Basis;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
  * Where surfaces touch or coincide, rounding puts points on the wrong side of one of them: dark specks in the light,
@@ -71,7 +71,7 @@ class NoSpeckTest {
         Vector through = new Vector(0, 0, 0.01);
         picture("cam 0 0.25 -1  0 0.25 0  0 1 0  1 1", lamp, STACK).assertSolved(ROUNDING, (right, up) -> {
             Vector point = new Vector(0.425 * right, 0.25 + 0.425 * up, -0.15);
-            Optional<Boolean> seesStack = meetsAny(STACK, point.minus(through), point.plus(through));
+            Optional<Boolean> seesStack = meetsAny(STACK, point.minus(through), Vectors.plus(point, through));
             if (seesStack.isEmpty()) {
                 return DrawnPicture.UNDECIDED;
             }
@@ -95,8 +95,9 @@ class NoSpeckTest {
         Vector eye = new Vector(0, 1.6, -0.1);
         for (int i = STACK.size() - 1; i >= 0; i--) {
             double top = STACK.get(i).centre().y() + STACK.get(i).edge() / 2;
-            Vector point = eye.plus(1.6 - top, ray);
-            Optional<Boolean> isThere = STACK.get(i).isMetBetween(point.plus(-0.01, DOWN), point.plus(0.01, DOWN));
+            Vector point = Vectors.plus(eye, 1.6 - top, ray);
+            Optional<Boolean> isThere = STACK.get(i).isMetBetween(Vectors.plus(point, -0.01, DOWN),
+                Vectors.plus(point, 0.01, DOWN));
             if (isThere.isEmpty()) {
                 return DrawnPicture.UNDECIDED;
             }
@@ -105,7 +106,7 @@ class NoSpeckTest {
                 return shadedBy(above, point, lamp, (lamp.y() - top) / lamp.minus(point).length());
             }
         }
-        Vector floor = eye.plus(1.6, ray);
+        Vector floor = Vectors.plus(eye, 1.6, ray);
         return shadedBy(STACK, floor, lamp, lamp.y() / lamp.minus(floor).length());
     }
 
@@ -149,7 +150,7 @@ class NoSpeckTest {
             .assertSolved(ROUNDING, (right, up) -> {
                 Vector point = new Vector(right, joint + up, 2);
                 double light = 3 / lamp.minus(point).length();
-                OptionalDouble below = shadedBy(boxes, point.plus(aside), lamp.plus(aside), light);
+                OptionalDouble below = shadedBy(boxes, Vectors.plus(point, aside), Vectors.plus(lamp, aside), light);
                 OptionalDouble above = shadedBy(boxes, point.minus(aside), lamp.minus(aside), light);
                 return below.isEmpty() || above.isEmpty() ? OptionalDouble.empty()
                     : OptionalDouble.of(Math.min(below.getAsDouble(), above.getAsDouble()));
@@ -181,7 +182,7 @@ class NoSpeckTest {
         Vector eye = new Vector(joint, 0.65, -0.3);
         String camera = "cam" + DrawnPicture.numbers(eye) + joint + " 0.65 0  0 1 0  1 2";
         picture(camera, new Vector(x, y, z), aroundTheRoom(), "pln 0 1 0 0.4 1").assertSolved(0, (right, up) -> {
-            Optional<Boolean> seesBlock = block.isMetBetween(eye, eye.plus(new Vector(right, up, 1)));
+            Optional<Boolean> seesBlock = block.isMetBetween(eye, Vectors.plus(eye, new Vector(right, up, 1)));
             if (seesBlock.isEmpty()) {
                 return DrawnPicture.UNDECIDED;
             }
@@ -209,12 +210,12 @@ class NoSpeckTest {
      */
     private record Placing(Vector place, Vector normal, double scale) {
         Vector point(Vector solved) {
-            return place.plus(scale, direction(solved));
+            return Vectors.plus(place, scale, direction(solved));
         }
 
         Vector direction(Vector solved) {
-            Basis basis = Basis.around(normal.unit());
-            return basis.v().times(solved.x()).plus(solved.y(), basis.w()).plus(solved.z(), basis.u());
+            Vectors.Axes basis = Vectors.around(normal.unit());
+            return Vectors.plus(Vectors.plus(basis.v().times(solved.x()), solved.y(), basis.w()), solved.z(), basis.u());
         }
 
         String floor() {
@@ -228,7 +229,7 @@ class NoSpeckTest {
         /** Holds the picture of these surfaces to that of a ball that touches a floor. */
         void assertBallOnFloor(double tolerance, String... surfaces) {
             String camera = "cam" + DrawnPicture.numbers(point(LOW_EYE))
-                + DrawnPicture.numbers(point(LOW_EYE.plus(new Vector(0, 0, 1))))
+                + DrawnPicture.numbers(point(Vectors.plus(LOW_EYE, new Vector(0, 0, 1))))
                 + DrawnPicture.numbers(direction(new Vector(0, 1, 0))) + "1 1.2";
             picture(camera, point(BALL.lamp()), List.of(), surfaces).assertSolved(tolerance,
                 (right, up) -> BALL.grey(LOW_EYE, new Vector(0.6 * right, 0.6 * up, 1), OPEN));
@@ -275,8 +276,8 @@ class NoSpeckTest {
                 }
                 Vector ahead = new Vector(x, -1, z).times(Math.sqrt(0.5));
                 Vector upwards = new Vector(x, 1, z).times(Math.sqrt(0.5));
-                Vector ray = ahead.plus(-0.5 * right, across).plus(0.5 * up, upwards);
-                Vector top = eye.plus(-1 / ray.y(), ray);
+                Vector ray = Vectors.plus(Vectors.plus(ahead, -0.5 * right, across), 0.5 * up, upwards);
+                Vector top = Vectors.plus(eye, -1 / ray.y(), ray);
                 return OptionalDouble.of(3 / lamp.minus(top).length());
             });
     }
@@ -363,7 +364,7 @@ class NoSpeckTest {
                 if (discriminant < 0) {
                     return OptionalDouble.of(0.25);
                 }
-                Vector point = new Vector(0, d, 0).plus(c / (d + Math.sqrt(discriminant)), ray);
+                Vector point = Vectors.plus(new Vector(0, d, 0), c / (d + Math.sqrt(discriminant)), ray);
                 Vector toLamp = lamp.minus(point);
                 return OptionalDouble.of(1000 * Math.max(0, point.dot(toLamp) / toLamp.length() / r));
             });

@@ -10,9 +10,8 @@ import java.util.Properties;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import raytracing.command.Command;
-import raytracing.command.CommandLine;
-import raytracing.film.ImageFile;
+import raytracing.program.Command;
+import raytracing.program.CommandLine;
 
 /** The same bytes on every Java from 17 on: compares with those that are installed beside the one that runs the tests. */
 class OtherJavaTest {
@@ -32,7 +31,7 @@ class OtherJavaTest {
         }
     }
 
-    /** The folder of all pictures, which one virtual machine draws with the steps of the jar's front door. */
+    /** The folder of all pictures, which one virtual machine draws as the program does. */
     private static Path drawn(Path java, Path folder) throws Exception {
         Path pictures = Files.createDirectory(folder.resolve(java.getFileName()));
         Path tests = Path.of(OtherJavaTest.class.getProtectionDomain().getCodeSource().getLocation().toURI());
@@ -47,9 +46,8 @@ class OtherJavaTest {
     public static void main(String[] arguments) throws Exception {
         for (Path scene : SceneFiles.all().toList()) {
             Command.Draw command = (Command.Draw) CommandLine.parse(scene.toString(),
-                Path.of(arguments[0], scene.getFileName() + ".png").toString(), SIZE, SIZE);
-            RayTracer.saveImage(RayTracer.renderScene(RayTracer.parseScene(scene), command.settings()),
-                new ImageFile(command.output(), command.format()));
+                Path.of(arguments[0], scene.getFileName() + ".png").toString(), SIZE, SIZE, "--quiet");
+            RayTracer.drawOnce(command);
         }
     }
 

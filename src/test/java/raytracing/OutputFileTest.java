@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where a picture goes: under which names, through which links, with which rights. */
+/** The file of a picture: its names, the links that lead to it, and its permissions. */
 class OutputFileTest {
     private static final String SCENE = "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.25 0.5 1 1 1\n";
 
@@ -26,7 +26,7 @@ class OutputFileTest {
         Files.writeString(folder.resolve("scene.txt"), SCENE);
     }
 
-    /** In bash, which knows masks, links and rights. */
+    /** In bash, which can set masks, links and permissions. */
     private Shell shell(String... commands) throws Exception {
         return Shell.run(folder, commands);
     }
@@ -76,7 +76,7 @@ class OutputFileTest {
         assertEquals("12345 54321\n", shell(draw("scene.txt", "out.png"), "stat -c '%u %g' out.png").text());
     }
 
-    /** The picture of a group whose member one is not: another group must not get the rights that were this one's. */
+    /** The picture belongs to a group of which the user is no member: no other group may get its permissions. */
     @Test
     void rightsOfAGroupThatCannotBeKeptGoToNoOtherOne() throws Exception {
         assumeOtherUsers();
@@ -93,7 +93,7 @@ class OutputFileTest {
         Skipped.unless(possible, "only root can try what other users may do, with setpriv and a jar they can read");
     }
 
-    /** As in /tmp; without the sticky bit, whoever may write in the folder may replace the file. */
+    /** As in /tmp; without the sticky bit, every user who may write in the folder may replace the file. */
     @Test
     void anotherUsersPictureInAStickyFolderIsRefusedBeforeAnythingIsDrawn() throws Exception {
         assumeOtherUsers();

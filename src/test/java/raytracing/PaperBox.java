@@ -2,11 +2,12 @@ package raytracing;
 
 import java.util.Optional;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
- * A cube along the axes, on paper. A straight line is inside it while it is between all three pairs of faces. Whether
- * it ever is, is asked of two cubes, one a little smaller and one a little larger: what both agree on needs no care for
- * rounding, and the rest is left open.
+ * A cube along the axes, on paper. A straight line is inside it while it is between all three pairs of faces. Two
+ * cubes decide whether it ever is, one a little smaller and one a little larger: where they agree, rounding does not matter,
+ * and the rest is left open.
  *
  * @param centre its middle
  * @param edge length of an edge
@@ -54,7 +55,7 @@ record PaperBox(Vector centre, double edge) {
         Vector normal = x == first ? new Vector(-Math.signum(direction.x()), 0, 0)
             : y == first ? new Vector(0, -Math.signum(direction.y()), 0)
             : new Vector(0, 0, -Math.signum(direction.z()));
-        return Optional.of(new Wall(from.plus(first, direction), normal));
+        return Optional.of(new Wall(Vectors.plus(from, first, direction), normal));
     }
 
     private double exit(double start, double way) {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import raytracing.film.Film;
 import raytracing.render.RenderSettings;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /**
  * A soft shadow that is known on paper, and so the error of every method. A lamp of width 2 hangs 4 above a floor; a
@@ -33,7 +33,7 @@ class PaperShadowTest {
     }
 
     private static Errors errors(ShadowMethod method) {
-        Film film = RayTracer.renderScene(SceneText.scene(SCENE),
+        Film film = Steps.renderScene(SceneText.scene(SCENE),
             RenderSettings.DEFAULT.withSize(WIDTH, 1).withShadowMethod(method));
         double largest = 0;
         double squares = 0;
@@ -71,8 +71,8 @@ class PaperShadowTest {
     @Test
     void exactShadowsHaveNoUseForRandomNumbers() {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(WIDTH, 1).withShadowMethod(new ShadowMethod.Exact());
-        Film film = RayTracer.renderScene(SceneText.scene(SCENE), settings);
-        Film other = RayTracer.renderScene(SceneText.scene(SCENE), settings.withSeed(2));
+        Film film = Steps.renderScene(SceneText.scene(SCENE), settings);
+        Film other = Steps.renderScene(SceneText.scene(SCENE), settings.withSeed(2));
         for (int i = 0; i < WIDTH; i++) {
             assertEquals(film.get(i, 0), other.get(i, 0));
         }
@@ -82,8 +82,8 @@ class PaperShadowTest {
     @Test
     void exactShadowsAreSoftWhateverTheScenesNumberOfRays() {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(WIDTH, 1).withShadowMethod(new ShadowMethod.Exact());
-        Film film = RayTracer.renderScene(SceneText.scene(SCENE), settings);
-        Film one = RayTracer.renderScene(SceneText.scene(SCENE.replace("5 0\n", "1 0\n")), settings);
+        Film film = Steps.renderScene(SceneText.scene(SCENE), settings);
+        Film one = Steps.renderScene(SceneText.scene(SCENE.replace("5 0\n", "1 0\n")), settings);
         for (int i = 0; i < WIDTH; i++) {
             assertEquals(film.get(i, 0), one.get(i, 0));
         }

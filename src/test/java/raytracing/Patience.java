@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 
-/** Waits for what is to become true, however slow or busy the machine is. */
+/** Waits until a condition is true, however slow or busy the machine is. */
 public final class Patience {
-    /** Only what hangs takes so long. */
+    /** Longer than anything takes that does not hang. */
     public static final Duration LIMIT = Duration.ofMinutes(10);
 
     private static final long POLL_MILLISECONDS = 30;

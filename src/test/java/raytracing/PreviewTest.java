@@ -175,7 +175,8 @@ class PreviewTest {
             Patience.await("focus", () -> program.tell("focus").equals("true"));
             program.order("escape");
             assertEquals(130, program.await(), program.errors());
-            assertTrue(program.errors().matches("(?s).*out\\.png: stopped at 0 %, the file is as it was\\R"), program.errors());
+            assertTrue(program.errors().matches("(?s).*out\\.png: stopped at 0 %, the file is as it was\\R"),
+                program.errors());
         }
         assertEquals("older", Files.readString(folder.resolve("out.png")));
     }

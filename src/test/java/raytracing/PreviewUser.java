@@ -24,7 +24,7 @@ import javax.swing.JScrollPane;
 import javax.swing.text.JTextComponent;
 
 /**
- * Runs the program in a virtual machine with somebody who uses its window: does what standard input says, line by line, and
+ * Runs the program in a virtual machine and uses its window: does what standard input says, line by line, and
  * answers on standard output.
  */
 final class PreviewUser {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a user of the jar meets: files, exit statuses, sentences. */
+/** What a user of the jar sees: files, exit statuses, messages. */
 class ProgramTest {
     private static final String SCENE = """
         cam 0 2 -6   0 0 0   0 1 0   1 1
@@ -135,7 +135,7 @@ class ProgramTest {
         assertEquals("older", Files.readString(folder.resolve("out.png")));
     }
 
-    /** The picture's 6.4 GB are asked for at once and never touched. */
+    /** The picture's 6.4 GB are allocated at once and never used. */
     @ParameterizedTest
     @CsvSource({"-Xmx64m, -Xmx4g, 4 GB", "-Xmx5g, -Xmx10g, 10 GB"})
     void whatIsAdvisedForMemoryIsMoreThanThereWas(String there, String option, String advised) throws Exception {
@@ -153,7 +153,8 @@ class ProgramTest {
         if (Files.exists(device)) {
             Files.createSymbolicLink(folder.resolve("out.png"), device);
             Program program = run("scene.txt", "out.png", "4", "4");
-            assertEquals("out.png: is a link to /dev/null: exists and may not be replaced" + System.lineSeparator(), program.errors());
+            assertEquals("out.png: is a link to /dev/null: exists and may not be replaced" + System.lineSeparator(),
+                program.errors());
             assertEquals(2, program.status());
             assertFalse(Files.isRegularFile(device));
             Files.delete(folder.resolve("out.png"));

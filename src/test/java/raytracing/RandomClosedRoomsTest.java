@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /** 500 closed rooms under a bright sky, with lamps outside: none is lit. */
 class RandomClosedRoomsTest {

@@ -6,9 +6,10 @@ import java.util.List;
 import java.util.Random;
 import raytracing.ClosedRoom.Place;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
- * A closed room, drawn by lot: its kind is given; its size and place, the order of its walls, what they are made of, what
+ * A random closed room: its kind is given; its size and place, the order of its walls, what they are made of, what
  * stands in it, the eye and the lamps outside are random. Eyes and lamps stand on a coarse grid, so that many rays
  * meet edges and corners exactly.
  */
@@ -80,10 +81,10 @@ final class RandomRoom {
             return room.camera(eye, one(room.joints()), one(WIDTHS));
         }
         Vector axis = one(List.of(new Vector(1, 0, 0), new Vector(0, -1, 0), new Vector(0, 0, 1), new Vector(-1, 0, 1)));
-        return room.camera(eye, eye.plus(axis), one(WIDTHS));
+        return room.camera(eye, Vectors.plus(eye, axis), one(WIDTHS));
     }
 
-    /** Whole coordinates, all of them less than {@code most} in size. */
+    /** Whole coordinates, each with an absolute value below {@code most}. */
     private Vector onGrid(int most) {
         return new Vector(random.nextInt(2 * most - 1) - most + 1, random.nextInt(2 * most - 1) - most + 1,
             random.nextInt(2 * most - 1) - most + 1);

@@ -3,6 +3,7 @@ package raytracing;
 import java.util.ArrayList;
 import java.util.List;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
  * A look at the walls of a room, in its units. Eyes stand on planes of symmetry and look along axes or at joints, so that
@@ -30,7 +31,7 @@ record RoomView(Vector eye, Vector target, double width) {
     }
 
     static RoomView along(Vector eye, Vector direction, double width) {
-        return new RoomView(eye, eye.plus(direction), width);
+        return new RoomView(eye, Vectors.plus(eye, direction), width);
     }
 
     String line(ClosedRoom room) {

@@ -2,11 +2,11 @@ package raytracing;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.importer.ImportOption;
-import com.tngtech.archunit.core.importer.Location;
+import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
@@ -15,72 +15,87 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** Packages are rooms, and imports go one way: each room knows only those before it in this list. */
-@AnalyzeClasses(packages = "raytracing", importOptions = RoomsTest.TheProgramAlone.class)
+/** Packages are rooms, and imports go one way: each room knows only those before it in the list. */
+@AnalyzeClasses(packages = "raytracing", importOptions = TheProgramAlone.class)
 class RoomsTest {
-    /** The tests, the benchmarks and the report have no rooms; they lie beside the program when tests run. */
-    static final class TheProgramAlone implements ImportOption {
-        @Override
-        public boolean includes(Location location) {
-            return location.contains("/classes/java/main/");
-        }
+    private static final List<String> ROOMS = List.of("parallel", "math", "color", "area", "hierarchy", "surface", "scene",
+        "parse", "trace", "shadow", "ambient", "shade", "estimate", "film", "render", "preview", "program");
+
+    private static String[] packages(List<String> rooms) {
+        return rooms.stream().map(room -> "raytracing." + room).toArray(String[]::new);
     }
 
-    private static final List<String> ROOMS = List.of("progress", "math", "area", "color", "geometry", "scene", "parse", "compiled",
-        "shade", "film", "render", "command", "watch");
+    private static String[] packages(String... rooms) {
+        return packages(List.of(rooms));
+    }
 
     @ArchTest
-    static final ArchRule everyClassLivesInARoomOrAtTheFrontDoor = classes().should().resideInAnyPackage(
-        ROOMS.stream().map(room -> "raytracing." + room).toArray(String[]::new))
+    static final ArchRule everyClassIsInARoomOrIsTheMainClass = classes().should().resideInAnyPackage(packages(ROOMS))
         .orShould().haveFullyQualifiedName("raytracing.RayTracer");
 
     @ArchTest
     static final ArchRule importsGoOneWay = importsGoOneWay();
 
+    /** Fails also for a room without classes. */
     private static ArchRule importsGoOneWay() {
         List<ArchRule> rules = new ArrayList<>();
         for (int i = 0; i < ROOMS.size(); i++) {
-            List<String> later = new ArrayList<>(List.of("raytracing"));
-            ROOMS.subList(i + 1, ROOMS.size()).forEach(room -> later.add("raytracing." + room));
-            rules.add(forbidden(ROOMS.get(i), later.toArray(String[]::new)));
+            rules.add(knowsOnly(ROOMS.get(i), ROOMS.subList(0, i)));
         }
         return CompositeArchRule.of(rules);
     }
 
-    private static ArchRule forbidden(String room, String... packages) {
+    private static ArchRule knowsOnly(String room, List<String> others) {
+        List<String> allowed = new ArrayList<>(others);
+        allowed.add(room);
         return noClasses().that().resideInAPackage("raytracing." + room)
-            .should().dependOnClassesThat().resideInAnyPackage(packages);
+            .should().dependOnClassesThat(JavaClass.Predicates.resideInAPackage("raytracing..")
+                .and(DescribedPredicate.not(JavaClass.Predicates.resideInAnyPackage(packages(allowed)))))
+            .as(room + " knows only " + others);
     }
 
     @ArchTest
-    static final ArchRule geometryKnowsNoColours = forbidden("geometry", "raytracing.color");
+    static final ArchRule surfacesKnowOnlyNumbersAndBounds = knowsOnly("surface", List.of("math", "hierarchy"));
 
     @ArchTest
-    static final ArchRule filmKnowsOnlyColours = forbidden("film", "raytracing.math", "raytracing.geometry",
-        "raytracing.scene", "raytracing.parse", "raytracing.compiled", "raytracing.shade");
+    static final ArchRule theHierarchyKnowsOnlyNumbersAndThreads = knowsOnly("hierarchy", List.of("parallel", "math"));
+
+    @ArchTest
+    static final ArchRule filmKnowsOnlyColors = knowsOnly("film", List.of("color"));
+
+    @ArchTest
+    static void noThreeClassesOfARoomDependOnEachOther(JavaClasses program) {
+        StringBuilder cycles = new StringBuilder();
+        for (String room : ROOMS) {
+            new ClassCycles(program, "raytracing." + room).groups()
+                .forEach(group -> cycles.append(room).append(", ").append(group));
+        }
+        assertEquals("", cycles.toString());
+    }
 
     @ArchTest
     static final ArchRule onlyTheFilmWritesPictures = noClasses().that().resideOutsideOfPackage("raytracing.film")
         .should().dependOnClassesThat().resideInAnyPackage("javax.imageio..");
 
     @ArchTest
-    static final ArchRule onlyTheFilmAndTheWatchKnowImages = noClasses()
-        .that().resideOutsideOfPackages("raytracing.film", "raytracing.watch")
+    static final ArchRule onlyTheFilmAndThePreviewKnowImages = noClasses()
+        .that().resideOutsideOfPackages(packages("film", "preview"))
         .should().dependOnClassesThat().resideInAnyPackage("java.awt..", "javax.swing..");
 
-    /** A unit of time is no work. */
+    /** A unit of time shares no work. */
     @ArchTest
-    static final ArchRule onlyRenderSharesWork = noClasses().that().resideOutsideOfPackage("raytracing.render")
+    static final ArchRule onlyParallelAndRenderShareWork = noClasses()
+        .that().resideOutsideOfPackages(packages("parallel", "render"))
         .should().dependOnClassesThat(JavaClass.Predicates.resideInAPackage("java.util.concurrent..")
             .and(DescribedPredicate.not(JavaClass.Predicates.equivalentTo(TimeUnit.class))));
 
     /**
-     * The film's thread only loads the encoder's classes while something else is done; those of the watch tell of the
-     * work and end it, and do none.
+     * The film's thread only loads the encoder's classes while something else is done; those of the program report and cancel
+     * the work, and the preview only waits for the film's.
      */
     @ArchTest
-    static final ArchRule onlyRenderFilmAndWatchStartThreads = noClasses()
-        .that().resideOutsideOfPackages("raytracing.render", "raytracing.film", "raytracing.watch")
+    static final ArchRule onlyTheseRoomsStartThreads = noClasses()
+        .that().resideOutsideOfPackages(packages("parallel", "film", "preview", "program"))
         .should().dependOnClassesThat().haveFullyQualifiedName("java.lang.Thread");
 
     /** Math.sin, pow and the like may differ between machines; sqrt, fma, abs and the exact ones may not. */

@@ -13,7 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a user of the jar reads about a scene file that is wrong, or that can hardly be meant. */
+/** The messages about a scene file that is wrong, or that is probably not what its author meant. */
 class SceneMistakesTest {
     private static final String CAM = "cam 0 0 -5  0 0 0  0 1 0  1 1\n";
     private static final String MTL = "mtl 1 1 1  0 0 0  0 0 0  1 0\n";

@@ -6,12 +6,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
-import raytracing.command.Command;
-import raytracing.command.CommandLine;
+import raytracing.ambient.AmbientLight;
 import raytracing.parse.RayTracerException;
+import raytracing.program.Command;
+import raytracing.program.CommandLine;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
-import raytracing.shade.AmbientLight;
+import raytracing.render.Renderers;
 
 /** The pictures of the scenes folder, all drawn with the same options, and those of AMBIENT.md. */
 final class ScenePictures {
@@ -67,8 +68,8 @@ final class ScenePictures {
             }
         }
         for (Path scene : drawnWithoutAmbientLight()) {
-            Renderer renderer = new Renderer(RayTracer.parseScene(scene), settings());
-            BufferedImage picture = renderer.inAmbientLight(AmbientLight.NONE).render().toImage();
+            Renderer renderer = Renderers.of(Steps.parseScene(scene), settings());
+            BufferedImage picture = Renderers.film(Renderers.inAmbientLight(renderer, AmbientLight.NONE)).toImage();
             ImageIO.write(picture, "png", pictureWithoutAmbientLight(scene).toFile());
         }
     }

@@ -1,9 +1,9 @@
 package raytracing;
 
 import java.nio.charset.StandardCharsets;
+import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 
 /** Scenes for tests, written as users write them. */

@@ -12,16 +12,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.film.ImageFormat;
+import raytracing.parallel.Preparation;
 import raytracing.parse.ParsedScene;
 import raytracing.parse.SceneParser;
+import raytracing.program.Messages;
 import raytracing.render.Cancellation;
 import raytracing.render.Drawing;
 import raytracing.render.DrawingListener;
 import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
-import raytracing.watch.Messages;
+import raytracing.render.Renderers;
 
-/** Scenes that are meant as they are get no warning, neither when they are read nor at the end. */
+/** Scenes without a likely mistake get no warning, neither when they are read nor at the end. */
 class ScenesWithoutWarningsTest {
     private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(16, 16);
     static Stream<Path> ours() throws IOException {
@@ -45,9 +46,9 @@ class ScenesWithoutWarningsTest {
     }
 
     private static void assertNoWarnings(Path file) throws Exception {
-        ParsedScene parsed = SceneParser.parseFile(file);
+        ParsedScene parsed = SceneParser.parseFile(file, new Preparation());
         assertEquals(List.of(), parsed.warnings());
-        Drawing drawing = new Renderer(parsed.scene(), SMALL).drawing(new Cancellation(),
+        Drawing drawing = new Drawing(Renderers.of(parsed.scene(), SMALL), new Cancellation(),
             Cancellation.Leftovers.DISCARD, DrawingListener.NONE);
         drawing.band(0);
         assertFalse(new Messages("out.png", ImageFormat.PNG, SMALL).isOfNothing(drawing), file.toString());

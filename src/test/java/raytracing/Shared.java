@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** What is not ours to keep here: it lies in a folder {@code shared} beside the checkout, or is missing. */
+/** Files that may not be published here: they lie in a folder {@code shared} beside the checkout, or are missing. */
 public final class Shared {
     /** The course's scenes, with pictures of them. */
     public static final Path SCENES = Path.of("..", "shared", "scenes");
@@ -16,7 +16,7 @@ public final class Shared {
     private Shared() {
     }
 
-    /** Skips the test that asks where one of the folders is missing; one line says all that are. */
+    /** Skips the calling test if the folder is missing; one line names all missing folders. */
     public static void require(Path folder) {
         Skipped.unless(Files.isDirectory(folder), List.of(SCENES, NUMERICS).stream().filter(each -> !Files.isDirectory(each))
             .map(Path::toString).collect(Collectors.joining(" and ", "tests that compare with ",

@@ -27,7 +27,7 @@ class SolvedPicturesTest {
     }
 
     private static void assertPicture(Solution solution, String... lines) {
-        Film film = RayTracer.renderScene(SceneText.scene(lines), RenderSettings.DEFAULT.withSize(SIZE, SIZE));
+        Film film = Steps.renderScene(SceneText.scene(lines), RenderSettings.DEFAULT.withSize(SIZE, SIZE));
         Set<Double> greys = new HashSet<>();
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {

@@ -22,7 +22,8 @@ class StoppedAndFailedTest {
 
     /** Draws the endless picture until no more of it will be finished, and runs commands and sends signals then. */
     private String stop(int status, String output, String commands, String... signals) throws Exception {
-        try (TerminalProgram program = TerminalProgram.start(folder, "", Endless.arguments(folder, output), "--keep-partial")) {
+        try (TerminalProgram program = TerminalProgram.start(folder, "", Endless.arguments(folder, output),
+            "--keep-partial")) {
             program.awaitShown(output + "  50 %");
             Shell.run(folder, commands);
             for (String signal : signals) {

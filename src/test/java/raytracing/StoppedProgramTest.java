@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is left when a signal ends the program. */
+/** The files that are left when a signal ends the program. */
 class StoppedProgramTest {
     @TempDir
     private Path folder;
@@ -40,11 +40,12 @@ class StoppedProgramTest {
             Folders.names(folder));
     }
 
-    /** What starts a test may ignore signals, and so would what the test starts. */
+    /** If the process that starts the tests ignores signals, so do the processes that the tests start. */
     @ParameterizedTest(name = "SIG{0}")
     @CsvSource({"INT, 130", "TERM, 143", "HUP, 129"})
     void aSignalEndsTheProgramWithItsStatusAndTheOlderFile(String signal, int status) throws Exception {
-        Skipped.unless(Shell.run(folder, "env --default-signal=INT true").status() == 0, "env cannot undo ignored signals here");
+        Skipped.unless(Shell.run(folder, "env --default-signal=INT true").status() == 0,
+            "env cannot undo ignored signals here");
         String shown = stop(signal, status, "env --default-signal=" + signal, "out.png");
         assertTrue(shown.contains("out.png: stopped at 50 %, the file is as it was"), shown);
         assertEquals("older", Files.readString(folder.resolve("out.png")));

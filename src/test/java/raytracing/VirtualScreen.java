@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
-/** A screen that nobody sees: an X server that keeps its pixels in a file, which is read instead of taking a screenshot. */
+/** A screen in memory: an X server that keeps its pixels in a file, which is read instead of taking a screenshot. */
 final class VirtualScreen implements AutoCloseable {
     /** Places of numbers in the header of an X window dump, all with the highest byte first. */
     private static final int HEADER_SIZE = 0;
@@ -17,7 +17,7 @@ final class VirtualScreen implements AutoCloseable {
     private static final int COLOURS = 76;
     private static final int BYTES_IN_A_COLOUR = 12;
 
-    /** What a Java has if it has windows. */
+    /** The file that a Java has if it can open windows. */
     static final Path WINDOWS = Path.of("lib/libawt_xawt.so");
 
     private final Process server;
@@ -35,7 +35,7 @@ final class VirtualScreen implements AutoCloseable {
         return Files.exists(javaHome.resolve(WINDOWS));
     }
 
-    /** On a display that is free, with its files in a folder; the test that asks is skipped where that is impossible. */
+    /** On a free display, with its files in a folder; skips the calling test where that is impossible. */
     static VirtualScreen start(Path folder) throws IOException, InterruptedException {
         Skipped.unless(isOpenTo(Program.JAVA_HOME), "no window is tested without a Java that has windows");
         Skipped.unless(Shell.has("Xvfb"), "no window is tested without Xvfb");
@@ -57,7 +57,7 @@ final class VirtualScreen implements AutoCloseable {
         return name;
     }
 
-    /** What is on it now. */
+    /** The pixels that it shows now. */
     BufferedImage screenshot() throws IOException {
         ByteBuffer dump = ByteBuffer.wrap(Files.readAllBytes(pixels));
         int start = dump.getInt(HEADER_SIZE) + BYTES_IN_A_COLOUR * dump.getInt(COLOURS);

@@ -32,7 +32,7 @@ class WatchTest {
         lgt 3 5 -3   1 1 1   1 0.9 2
         """;
 
-    /** Every point takes a million shadow rays: nobody sees the end of it. */
+    /** Every point takes a million shadow rays, so the picture is never finished in a test. */
     private static final String ENDLESS = SCENE.replace("4 4", "1024 4").replace("0.9 2", "0.9 20");
 
     @TempDir
@@ -60,10 +60,11 @@ class WatchTest {
         Patience.await(what, condition);
     }
 
-    /** The sky, in the picture's file: a scene is known by it. */
+    /** The colour of the sky in the picture's file: it tells which scene was drawn. */
     private void awaitSky(int rgb, String output) throws Exception {
         Path file = folder.resolve(output);
-        await("picture with this sky", () -> Files.exists(file) && (ImageIO.read(file.toFile()).getRGB(0, 0) & 0xffffff) == rgb);
+        await("picture with this sky", () -> Files.exists(file) && (ImageIO.read(file.toFile()).getRGB(0,
+            0) & 0xffffff) == rgb);
     }
 
     private static String withSky(String colour) {
@@ -316,7 +317,7 @@ class WatchTest {
         assertEquals(List.of("errors", "out.png", "scene.txt", "screen"), Folders.names(folder));
     }
 
-    /** A shell that starts something in the background lets it ignore SIGINT; here it is not to be ignored. */
+    /** A shell makes processes in the background ignore SIGINT; this one must not. */
     @ParameterizedTest(name = "SIG{0} {2}")
     @CsvSource({"INT, 130, drawing", "TERM, 143, drawing", "INT, 130, idle", "TERM, 143, idle"})
     void aSignalEndsItWithItsStatus(String signal, int status, String state) throws Exception {
@@ -330,7 +331,8 @@ class WatchTest {
                 () -> Files.readString(errors).contains(state.equals("idle") ? " pixels in " : "out.png: drawing "));
             Shell.run(folder, "kill -" + signal + " " + process.pid());
             assertEquals(status, process.waitFor());
-            assertEquals(!state.equals("idle"), Files.readString(folder.resolve("out.png"), StandardCharsets.ISO_8859_1).equals("older"));
+            assertEquals(!state.equals("idle"),
+                Files.readString(folder.resolve("out.png"), StandardCharsets.ISO_8859_1).equals("older"));
             assertEquals(List.of("errors", "out.png", "scene.txt", "screen"), Folders.names(folder));
         }
     }
@@ -354,7 +356,8 @@ class WatchTest {
 
     @Test
     void withoutADisplayItIsRefusedBeforeAnythingIsDrawn() throws Exception {
-        Program program = Program.run(Program.JAVA_HOME, List.of(), Map.of("DISPLAY", ""), folder, "scene.txt", "out.png", "--watch");
+        Program program = Program.run(Program.JAVA_HOME, List.of(), Map.of("DISPLAY", ""), folder, "scene.txt", "out.png",
+            "--watch");
         assertEquals("--watch: no display to open a window on, DISPLAY is not set" + System.lineSeparator(), program.errors());
         assertEquals(2, program.status());
         assertEquals(List.of("scene.txt"), Folders.names(folder));

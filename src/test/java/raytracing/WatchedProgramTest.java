@@ -111,7 +111,7 @@ class WatchedProgramTest {
             time -> time.getValue().getAsDouble() >= 0 && time.getValue().getAsDouble() <= all), times.toString());
     }
 
-    /** As Linux counts it; no virtual machine is smaller than 10 MB, and this one is allowed a heap of 16. */
+    /** As Linux counts it: every virtual machine takes more than 10 MB, and this one has a heap of at most 16 MB. */
     @Test
     void theMemoryOfStatisticsIsThePeakOfTheProcess() throws Exception {
         Skipped.unless(Files.exists(Path.of("/proc/self/status")), "this system does not tell the memory of a process");

@@ -1,93 +1,83 @@
 package raytracing.area;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
- * The shadows of several balls on a plane, as {@link BallShadow} has them, and how much light they take from a polygon.
+ * The shadows of several balls on a plane, and how much light they take from a polygon. Not thread-safe.
  *
  * <p>Where shadows overlap, no boundary of the fourth degree has to be found. A point e is in the shadow of ball i if
- * f_i(e) = m_i . e / sqrt(k_i) is at least |e|: all shadows compare a linear function with the same length. So where
- * f_i is the greatest, whatever is in any shadow is in that of ball i. This cuts the polygon into convex cells, a power
- * diagram of cones with one apex, in each of which the shadows are nested: what ball i takes there is closed-form, and
+ * f_i(e) = m_i . e / sqrt(k_i) is at least |e|: all shadows compare a linear function with the same length. So where f_i is
+ * the greatest, every point that is in any shadow is in that of ball i. This cuts the polygon into convex cells, a power
+ * diagram of cones with one apex, in each of which the shadows are nested: what ball i takes there has a closed form, and
  * behind it only the others remain.
- *
- * <p>One thread, question after question.
  */
 public final class BallShadows {
-    /** More balls than this are first shared out between the halves of the polygon, if that parts them (measured). */
+    /** More balls than this are first distributed over two halves of the polygon, if that separates them (measured). */
     private static final int MOST_AT_ONCE = 4;
 
-    /** Of the number of balls when they are shared out, as some go to both halves. */
+    /** The most by which distributing balls may multiply their number, as some go to both halves. */
     private static final double MOST_GROWTH = 1.5;
 
-    /** Smaller parts of a polygon are not halved: of its area. */
+    /** Smaller parts, as a share of the polygon's area, are not halved. */
     private static final double LEAST_PART = 0x1p-16;
 
     private final ConvexPolygons polygons;
     private double depth;
-    private BallShadow[] balls = {};
 
-    /** Those that {@link #add} fills, made once; among the balls there may be others for a while. */
-    private BallShadow[] own = {};
-    private int count;
+    /** Those that {@link #add} sets, allocated once. */
+    private final List<BallShadow> own = new ArrayList<>();
 
-    /** Sets of balls, one above the other: each is a row of members. */
+    /** A stack of sets of balls, each a range of members. All balls are the first set. */
     private BallShadow[] members = new BallShadow[32];
     private int memberCount;
     private double leastArea;
 
-    /**
-     * No balls.
-     *
-     * @param polygons the stack on which polygons are cut; left as it was found
-     */
+    /** No balls; polygons are cut on the given stack, which every query leaves unchanged. */
     BallShadows(ConvexPolygons polygons) {
         this.polygons = polygons;
     }
 
-    /** Forgets all balls; {@code planeDepth} is the distance from the apex (0, 0, 0) to the plane, above 0. */
+    /** Removes all balls; {@code planeDepth} is the distance from the apex (0, 0, 0) to the plane, above 0. */
     void clear(double planeDepth) {
         depth = planeDepth;
-        count = 0;
+        memberCount = 0;
     }
 
     /**
      * Adds a ball.
      *
-     * @param x its centre, seen from the apex
-     * @param y y part
-     * @param z z part
-     * @param radius of the ball; the apex is outside or as good as on it
+     * @param x of its centre, relative to the apex
+     * @param radius of the ball; the apex is outside it, or on it but for rounding
      * @param transmittance share of light that the ball lets through, in [0, 1]
      */
     public void add(double x, double y, double z, double radius, double transmittance) {
-        if (own.length <= count) {
-            own = Arrays.copyOf(own, 2 * count + 4);
+        while (own.size() <= memberCount) {
+            own.add(new BallShadow());
         }
-        if (own[count] == null) {
-            own[count] = new BallShadow();
-        }
-        own[count].set(x, y, z, radius, transmittance, depth);
-        push(own[count]);
+        BallShadow ball = own.get(memberCount);
+        ball.set(x, y, z, radius, transmittance, depth);
+        push(ball);
     }
 
-    /** Adds a ball for a while. */
+    /** Adds a ball until {@link #pop}. */
     void push(BallShadow ball) {
-        if (count == balls.length) {
-            balls = Arrays.copyOf(balls, 2 * count + 4);
+        if (memberCount == members.length) {
+            members = Arrays.copyOf(members, 2 * memberCount);
         }
-        balls[count++] = ball;
+        members[memberCount++] = ball;
     }
 
-    /** Drops the ball that was added last. */
+    /** Removes the ball that was added last. */
     void pop() {
-        count--;
+        memberCount--;
     }
 
     /** Whether no ball's shadow overlaps that of another ball. */
     boolean areApartFrom(BallShadow other) {
-        for (int i = 0; i < count; i++) {
-            if (!balls[i].isApartFrom(other)) {
+        for (int i = 0; i < memberCount; i++) {
+            if (!members[i].isApartFrom(other)) {
                 return false;
             }
         }
@@ -95,43 +85,32 @@ public final class BallShadows {
     }
 
     /**
-     * The light that the balls take from a polygon that shines evenly with 1 for each unit of area.
-     *
-     * @param polygon which one
-     * @return integral over the polygon of 1 minus the product of the transmittances of the balls that shadow a point
+     * The light that the balls take from a polygon that shines evenly with 1 for each unit of area: the integral over the
+     * polygon of 1 minus the product of the transmittances of the balls that shadow a point.
      */
     double takenLight(int polygon) {
-        if (count == 0) {
+        if (memberCount == 0) {
             return 0;
         }
-        memberCount = 0;
         leastArea = LEAST_PART * polygons.area(polygon);
+        int count = memberCount;
         for (int i = 0; i < count; i++) {
-            addMember(balls[i]);
+            push(members[i]);
         }
-        return takenLight(polygon, 0);
+        double taken = takenLight(polygon, count);
+        memberCount = count;
+        return taken;
     }
 
-    private void addMember(BallShadow ball) {
-        if (memberCount == members.length) {
-            members = Arrays.copyOf(members, 2 * memberCount);
-        }
-        members[memberCount++] = ball;
-    }
-
-    /** By the set of balls on top, from a place on. */
+    /** The light that the set of balls on top takes: the members from an index on. */
     private double takenLight(int polygon, int from) {
         if (memberCount == from + 1) {
-            return takenByOne(polygon, members[from]);
+            return (1 - members[from].transmittance()) * members[from].area(polygons, polygon);
         }
         return keepThoseThatTouch(polygon, from) ? takenByAll(polygon, from) : polygons.area(polygon);
     }
 
-    private double takenByOne(int polygon, BallShadow ball) {
-        return (1 - ball.transmittance()) * ball.area(polygons, polygon);
-    }
-
-    /** Drops balls whose shadows are beside the polygon; false if one ball takes all its light. */
+    /** Removes balls whose shadows miss the polygon; false if one ball takes all its light. */
     private boolean keepThoseThatTouch(int polygon, int from) {
         int to = from;
         for (int i = from; i < memberCount; i++) {
@@ -148,12 +127,10 @@ public final class BallShadows {
         return true;
     }
 
-    /** By balls that all touch the polygon. */
+    /** The same for balls that all touch the polygon. */
     private double takenByAll(int polygon, int from) {
-        if (memberCount - from > MOST_AT_ONCE && polygons.area(polygon) > leastArea) {
-            return takenFromHalves(polygon, from);
-        }
-        return takenInCells(polygon, from);
+        return memberCount - from > MOST_AT_ONCE && polygons.area(polygon) > leastArea ? takenFromHalves(polygon, from)
+            : takenInCells(polygon, from);
     }
 
     private double takenInCells(int polygon, int from) {
@@ -166,12 +143,12 @@ public final class BallShadows {
         return taken;
     }
 
-    /** Shares many balls out between two halves of the polygon, unless too many touch both. */
+    /** Distributes many balls over two halves of the polygon, unless too many touch both. */
     private double takenFromHalves(int polygon, int from) {
         int to = memberCount;
         int mark = polygons.count();
-        int first = polygons.cutFirstHalf(polygon);
-        int second = polygons.cutSecondHalf(polygon);
+        int first = polygons.cutHalf(polygon, -1);
+        int second = polygons.cutHalf(polygon, 1);
         boolean someOfFirstIsLeft = addThoseThatTouch(first, from, to);
         int middle = memberCount;
         boolean someOfSecondIsLeft = addThoseThatTouch(second, from, to);
@@ -189,11 +166,11 @@ public final class BallShadows {
         return taken;
     }
 
-    /** Adds a set on top: those of another that touch a polygon; false, and none, if one ball takes all its light. */
+    /** Puts those of a set that touch a polygon on top; false, and none are put, if one ball takes all its light. */
     private boolean addThoseThatTouch(int polygon, int from, int to) {
         int top = memberCount;
         for (int i = from; i < to; i++) {
-            addMember(members[i]);
+            push(members[i]);
         }
         boolean isSomeLeft = keepThoseThatTouch(polygon, top);
         memberCount = isSomeLeft ? memberCount : top;
@@ -201,30 +178,26 @@ public final class BallShadows {
     }
 
     /**
-     * What is taken in the cell of one ball: by itself, and by the others of what it lets through. Balls whose shadows
+     * The light taken in the cell of one ball: by itself, and by the others from what it lets through. Balls whose shadows
      * are apart do not bound each other's cells, as no point is in both.
      */
-    private double takenInCell(int polygon, int place, int from, int to) {
-        BallShadow ball = members[place];
+    private double takenInCell(int polygon, int index, int from, int to) {
+        BallShadow ball = members[index];
         int mark = polygons.count();
         int cell = polygon;
-        for (int i = from; i < to; i++) {
+        for (int i = from; i < to && cell >= 0; i++) {
             BallShadow other = members[i];
-            if (i != place && !ball.isApartFrom(other)) {
-                addMember(other);
-                // where both are the same ball, the first has it all
-                Side side = place < i ? ball.sideOfCell(polygons, cell, other)
-                    : other.sideOfCell(polygons, cell, ball).opposite();
-                if (side == Side.BEYOND) {
-                    polygons.dropTo(mark);
-                    return 0;
-                }
-                cell = side == Side.WITHIN ? cell : ball.cutToCell(polygons, cell, other);
+            if (i != index && !ball.isApartFrom(other)) {
+                push(other);
+                cell = ball.cutToCell(polygons, cell, other, index < i);
             }
         }
-        double taken = (1 - ball.transmittance()) * ball.area(polygons, cell);
-        if (ball.transmittance() > 0 && memberCount > to) {
-            taken += ball.transmittance() * takenLight(cell, to);
+        double taken = 0;
+        if (cell >= 0) {
+            taken = (1 - ball.transmittance()) * ball.area(polygons, cell);
+            if (ball.transmittance() > 0 && memberCount > to) {
+                taken += ball.transmittance() * takenLight(cell, to);
+            }
         }
         polygons.dropTo(mark);
         return taken;

@@ -2,18 +2,14 @@ package raytracing.area;
 
 /**
  * A convex figure in the (x, y) plane that a conic bounds: the points with
- * Q(x, y) = xx x x + 2 xy x y + yy y y + 2 (x0 x + y0 y) + c &gt;= 0 on one side of a line, which parts the two
- * branches of a hyperbola. One thread, conic after conic.
+ * Q(x, y) = xx x x + 2 xy x y + yy y y + 2 (x0 x + y0 y) + c &gt;= 0 on one side of a line, which separates the
+ * two branches of a hyperbola. It can be set again and again. Not thread-safe.
  */
-final class Conic {
-    private static final double NO_AREA = 0;
-
-    /**
-     * An arc of an ellipse with so great a shape leaves out less than 2^-56 of it, over a chord that may be rounding.
-     */
+class Conic {
+    /** An arc of an ellipse with this shape leaves out less than 2^-56 of it, and its chord may be only rounding. */
     private static final double SHAPE_OF_NEARLY_ALL = 0x1p40;
 
-    /** A smaller part of an ellipse may be all that rounding leaves of a touch. */
+    /** A smaller part of an ellipse may be only the rounding where two outlines touch. */
     private static final double NEGLIGIBLE = 0x1p-20;
 
     private double xx;
@@ -28,7 +24,7 @@ final class Conic {
     private double lineB;
     private double lineC;
 
-    /** Of an ellipse; other figures have no end, so they are in no polygon. */
+    /** For an ellipse only; other figures are unbounded, so they are in no polygon, and have area 0 here. */
     private double middleX;
     private double middleY;
     private double wholeArea;
@@ -36,7 +32,7 @@ final class Conic {
     /** Twice the area found so far, seen from (0, 0). */
     private double twiceArea;
 
-    /** Whether an arc seemed to go nearly all around. Its chord has no sure direction: it may be a mere touch. */
+    /** Whether an arc seemed to go nearly all around: it may be a mere touch, as the chord's direction is not certain. */
     private boolean isTouched;
 
     /** Where the outline of the polygon last left the figure, and where it first entered it. */
@@ -46,37 +42,36 @@ final class Conic {
     private double enteredX;
     private double enteredY;
 
-    /** Takes the coefficients of Q. */
-    void setForm(double newXx, double newXy, double newYy, double newX0, double newY0, double newC) {
-        xx = newXx;
-        xy = newXy;
-        yy = newYy;
-        x0 = newX0;
-        y0 = newY0;
-        c = newC;
-        wholeArea = NO_AREA;
+    /** Sets the coefficients of Q. */
+    final void setForm(double xx, double xy, double yy, double x0, double y0, double c) {
+        this.xx = xx;
+        this.xy = xy;
+        this.yy = yy;
+        this.x0 = x0;
+        this.y0 = y0;
+        this.c = c;
+        wholeArea = 0;
     }
 
-    /** Takes the line a x + b y + c = 0; the figure is where that is above 0. */
-    void setLine(double a, double b, double newC) {
+    /** Sets the line; the figure is where a x + b y + c is above 0. */
+    final void setLine(double a, double b, double c) {
         lineA = a;
         lineB = b;
-        lineC = newC;
+        lineC = c;
     }
 
-    /** Says that the conic is an ellipse. */
-    void setEllipse(double newMiddleX, double newMiddleY, double area) {
-        middleX = newMiddleX;
-        middleY = newMiddleY;
+    /** Sets the centre and area of a conic that is an ellipse. */
+    final void setEllipse(double x, double y, double area) {
+        middleX = x;
+        middleY = y;
         wholeArea = area;
     }
 
-    /** Becomes a disc. */
-    void setDisc(double newMiddleX, double newMiddleY, double radius) {
-        setForm(-1, 0, -1, newMiddleX, newMiddleY,
-            radius * radius - newMiddleX * newMiddleX - newMiddleY * newMiddleY);
+    /** Sets all to a disc. */
+    final void setDisc(double x, double y, double radius) {
+        setForm(-1, 0, -1, x, y, radius * radius - x * x - y * y);
         setLine(0, 0, 1);
-        setEllipse(newMiddleX, newMiddleY, Math.PI * radius * radius);
+        setEllipse(x, y, Math.PI * radius * radius);
     }
 
     private boolean contains(double x, double y) {
@@ -84,8 +79,8 @@ final class Conic {
             && lineA * x + lineB * y + lineC > 0;
     }
 
-    /** How a polygon lies to the figure. */
-    Side side(ConvexPolygons polygons, int polygon) {
+    /** Whether a polygon is in the figure. */
+    final Side side(ConvexPolygons polygons, int polygon) {
         boolean isWithin = true;
         boolean isBeyond = true;
         for (int i = polygons.from(polygon); i < polygons.to(polygon); i++) {
@@ -103,16 +98,13 @@ final class Conic {
     }
 
     /**
-     * How much of a polygon is in the figure. The common part has straight sides, where the polygon's outline is in the
-     * figure, and arcs of the conic between them: a polygon of chords, and a segment for each arc.
+     * The area, at least 0, of the part of a polygon that is in the figure. The common part has straight sides, where the
+     * polygon's outline is in the figure, and arcs of the conic between them: a polygon of chords, and a segment for each
+     * arc. The error is of the order of rounding (measured in {@code ConicTest}).
      *
-     * <p>Along a side, Q goes like q1 + 2 b s + q2 s s, with s from 0 to infinity and the place s / (1 + s) of the way.
-     *
-     * @param polygons the stack of the polygon
-     * @param polygon its number
-     * @return area, at least 0; its error is of the order of rounding (measured in {@code ConicTest})
+     * <p>Along a side, Q is proportional to q1 + 2 b s + q2 s s, with s from 0 to infinity at s / (1 + s) of the way.
      */
-    double area(ConvexPolygons polygons, int polygon) {
+    final double area(ConvexPolygons polygons, int polygon) {
         int from = polygons.from(polygon);
         int to = polygons.to(polygon);
         if (to - from < 3) {
@@ -173,7 +165,7 @@ final class Conic {
         return Math.min(area, polygons.area(polygon));
     }
 
-    /** Where a side that starts in the figure first leaves it, as part of the way; b belongs to both ends. */
+    /** Where a side that starts in the figure first leaves it, as a fraction of the side; b belongs to both ends. */
     private static double firstExit(double inside, double b, double outside) {
         double root = Math.sqrt(Math.max(b * b - inside * outside, 0));
         if (b > 0 && outside < 0) {
@@ -184,16 +176,14 @@ final class Conic {
     }
 
     private void leave(double x1, double y1, double x2, double y2, double exit) {
-        hasLeft = true;
-        leftX = x1 + exit * (x2 - x1);
-        leftY = y1 + exit * (y2 - y1);
+        leaveAt(x1 + exit * (x2 - x1), y1 + exit * (y2 - y1));
         twiceArea += x1 * leftY - leftX * y1;
     }
 
     private void enter(double x1, double y1, double x2, double y2, double entry) {
         double x = x1 + entry * (x2 - x1);
         double y = y1 + entry * (y2 - y1);
-        arrive(x, y);
+        enterAt(x, y);
         twiceArea += x * y2 - x2 * y;
     }
 
@@ -206,15 +196,19 @@ final class Conic {
         if (!(exit > entry) || entryX == exitX && entryY == exitY) {
             return false;
         }
-        arrive(entryX, entryY);
+        enterAt(entryX, entryY);
         twiceArea += entryX * exitY - exitX * entryY;
-        hasLeft = true;
-        leftX = exitX;
-        leftY = exitY;
+        leaveAt(exitX, exitY);
         return true;
     }
 
-    private void arrive(double x, double y) {
+    private void leaveAt(double x, double y) {
+        hasLeft = true;
+        leftX = x;
+        leftY = y;
+    }
+
+    private void enterAt(double x, double y) {
         if (hasLeft) {
             addArc(x, y);
         } else {
@@ -225,9 +219,9 @@ final class Conic {
     }
 
     /**
-     * Adds what lies between (0, 0) and the arc from where the outline left the figure to (toX, toY). The arc is on the
-     * right of its chord. Half the chord is d; the direction conjugate to it leads from the chord's middle to the arc's
-     * apex, and along it Q goes like q0 + 2 b t + a t t.
+     * Adds the area between (0, 0) and the arc from where the outline left the figure to (toX, toY). The arc is on the right
+     * of its chord. Half the chord is d; the direction conjugate to it leads from the chord's middle to the arc's apex, and
+     * along it Q is proportional to q0 + 2 b t + a t t.
      */
     private void addArc(double toX, double toY) {
         twiceArea += leftX * toY - toX * leftY;
@@ -248,7 +242,7 @@ final class Conic {
         double root = Math.sqrt(Math.max(discriminant, 0));
         double apex = b > 0 ? (b + root) / -a : q0 / (root - b);
         if (discriminant < 0) {
-            apex = Math.sqrt(q0 / a);        // of two straight lines, which rounding made of a sharp hyperbola
+            apex = Math.sqrt(q0 / a);        // for two straight lines, which rounding made of a sharp hyperbola
         }
         double shape = -a * apex * apex / q0;
         if (shape > SHAPE_OF_NEARLY_ALL) {
@@ -259,6 +253,6 @@ final class Conic {
     }
 
     private double uncrossedArea(ConvexPolygons polygons, int polygon) {
-        return wholeArea > NO_AREA && polygons.contains(polygon, middleX, middleY) ? wholeArea : 0;
+        return wholeArea > 0 && polygons.contains(polygon, middleX, middleY) ? wholeArea : 0;
     }
 }

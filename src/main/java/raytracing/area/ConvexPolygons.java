@@ -3,8 +3,9 @@ package raytracing.area;
 import java.util.Arrays;
 
 /**
- * A stack of convex polygons in the (x, y) plane, their corners counterclockwise. Polygons are cut by half-planes into
- * new ones, which come on top; whoever is done with them drops them again, so cutting makes no garbage. One thread.
+ * A stack of convex polygons in the (x, y) plane, empty at first, their corners counterclockwise. Polygons are cut by
+ * half-planes into new ones, which are put on top; a caller drops those that it no longer needs, so cutting does not allocate.
+ * Not thread-safe.
  */
 public final class ConvexPolygons {
     private double[] x = new double[64];
@@ -14,34 +15,17 @@ public final class ConvexPolygons {
     private int[] start = new int[16];
     private int count;
 
-    /** An empty stack. */
-    public ConvexPolygons() {
-    }
-
-    /**
-     * How many polygons there are; the next one gets this number.
-     *
-     * @return at least 0
-     */
-    public int count() {
+    /** How many polygons there are; the next one gets this number. */
+    int count() {
         return count;
     }
 
-    /**
-     * Drops the polygons on top.
-     *
-     * @param newCount how many are left
-     */
-    public void dropTo(int newCount) {
-        count = newCount;
+    /** Drops the polygons on top, so that {@code count} are left. */
+    public void dropTo(int count) {
+        this.count = count;
     }
 
-    /**
-     * Puts a square around (0, 0) on top.
-     *
-     * @param halfWidth half its edge, above 0
-     * @return its number
-     */
+    /** Puts a square around (0, 0) on top, given half its edge, above 0; returns its number. */
     public int addSquare(double halfWidth) {
         int at = begin(4);
         x[at] = -halfWidth;
@@ -55,15 +39,7 @@ public final class ConvexPolygons {
         return end(at);
     }
 
-    /**
-     * Puts a regular polygon on top.
-     *
-     * @param middleX its middle
-     * @param middleY y part
-     * @param radius of the disc that has the same area, above 0
-     * @param sides how many, at least 3
-     * @return its number
-     */
+    /** Puts a regular polygon on top, given the radius, above 0, of the disc with the same area; returns its number. */
     int addRegular(double middleX, double middleY, double radius, int sides) {
         double turn = 2 * Math.PI / sides;
         double cosine = StrictMath.cos(turn);
@@ -81,7 +57,7 @@ public final class ConvexPolygons {
         return end(at);
     }
 
-    /** Makes room for a polygon on top; returns the place of its first corner. */
+    /** Makes room for a polygon on top; returns the index of its first corner. */
     private int begin(int mostCorners) {
         if (count + 2 > start.length) {
             start = Arrays.copyOf(start, 2 * start.length);
@@ -94,18 +70,18 @@ public final class ConvexPolygons {
         return from;
     }
 
-    /** Closes the polygon on top before a place; returns its number. */
+    /** Ends the polygon on top before an index; returns its number. */
     private int end(int to) {
         start[count + 1] = to;
         return count++;
     }
 
-    /** First corner of a polygon, as a place in {@link #x} and {@link #y}. */
+    /** Index of a polygon's first corner, for {@link #x} and {@link #y}. */
     int from(int polygon) {
         return start[polygon];
     }
 
-    /** The place after its last corner. */
+    /** Index after its last corner. */
     int to(int polygon) {
         return start[polygon + 1];
     }
@@ -118,16 +94,8 @@ public final class ConvexPolygons {
         return y[at];
     }
 
-    /**
-     * How a polygon lies to the half-plane a x + b y + c &gt;= 0. A polygon on its border counts as within.
-     *
-     * @param polygon which one
-     * @param a of the half-plane
-     * @param b of the half-plane
-     * @param c of the half-plane
-     * @return within, beyond, or cut
-     */
-    public Side side(int polygon, double a, double b, double c) {
+    /** Whether a polygon is in the half-plane a x + b y + c &gt;= 0; one on the border counts as within. */
+    Side side(int polygon, double a, double b, double c) {
         boolean isWithin = true;
         boolean isBeyond = true;
         for (int i = start[polygon]; i < start[polygon + 1]; i++) {
@@ -135,21 +103,12 @@ public final class ConvexPolygons {
             isWithin &= value >= 0;
             isBeyond &= value <= 0;
         }
-        if (isWithin) {
-            return Side.WITHIN;
-        }
-        return isBeyond ? Side.BEYOND : Side.CUT;
+        return isWithin ? Side.WITHIN : isBeyond ? Side.BEYOND : Side.CUT;
     }
 
     /**
-     * Puts the part of a polygon with a x + b y + c &gt;= 0 on top. The cut with -a, -b, -c has the same corners on the
-     * border, bit for bit, so nothing is lost or counted twice between the two.
-     *
-     * @param polygon which one is cut; it stays
-     * @param a of the half-plane
-     * @param b of the half-plane
-     * @param c of the half-plane
-     * @return number of the part
+     * Puts the part of a polygon, which stays, with a x + b y + c &gt;= 0 on top; returns its number. The cut with -a, -b, -c
+     * has the same corners on the border, bit for bit, so nothing is lost or counted twice between the two.
      */
     public int cut(int polygon, double a, double b, double c) {
         int from = start[polygon];
@@ -174,17 +133,8 @@ public final class ConvexPolygons {
         return end(at);
     }
 
-    /** Puts the left half of a polygon on top, or the lower if it is higher than wide. */
-    int cutFirstHalf(int polygon) {
-        return cutHalf(polygon, -1);
-    }
-
-    /** Puts the other half on top. */
-    int cutSecondHalf(int polygon) {
-        return cutHalf(polygon, 1);
-    }
-
-    private int cutHalf(int polygon, double sign) {
+    /** Puts half a polygon on top: the left for sign -1, the right for 1, or lower and upper if it is higher than wide. */
+    int cutHalf(int polygon, double sign) {
         double left = Double.POSITIVE_INFINITY;
         double right = Double.NEGATIVE_INFINITY;
         double lower = Double.POSITIVE_INFINITY;
@@ -199,7 +149,7 @@ public final class ConvexPolygons {
             : cut(polygon, 0, sign, -sign * (lower + upper) / 2);
     }
 
-    /** Puts on top what two polygons have in common, and perhaps others below it. */
+    /** Puts the common part of two polygons on top, perhaps with others below it. */
     int common(int polygon, int other) {
         int common = polygon;
         int to = start[other + 1];
@@ -226,12 +176,7 @@ public final class ConvexPolygons {
         return true;
     }
 
-    /**
-     * The area of a polygon.
-     *
-     * @param polygon which one
-     * @return at least 0; 0 of fewer than three corners
-     */
+    /** The area of a polygon, at least 0; 0 for fewer than three corners. */
     public double area(int polygon) {
         int from = start[polygon];
         double twice = 0;

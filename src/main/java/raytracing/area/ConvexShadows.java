@@ -3,12 +3,12 @@ package raytracing.area;
 import java.util.Arrays;
 
 /**
- * Shadows on a plane, and how much light they leave of a square. Figures with straight outlines come first: each cuts
- * the square into convex pieces in which it does one thing, and the next shadow is asked for each piece. Then come
- * {@link DiscShadows}, and at last {@link BallShadows}, for what is left. Pieces without light are dropped at once.
+ * Shadows on a plane, and how much light they leave of a square. Figures with straight outlines come first: each cuts the
+ * square into convex pieces that are either in its shadow or not, and the next shadow is applied to each piece. Then come
+ * {@link DiscShadows} and {@link BallShadows}. Pieces without light are dropped at once.
  *
- * <p>Whatever throws a shadow is seen from the apex (0, 0, 0), and the plane is z = depth. A line (a, b, c) has its
- * inner side where a x + b y + c &gt;= 0. One thread, question after question.
+ * <p>Shadows are cast from the apex (0, 0, 0) on the plane z = depth. The inner side of a line (a, b, c) is where
+ * a x + b y + c &gt;= 0. Not thread-safe.
  */
 public final class ConvexShadows {
     private final ConvexPolygons polygons = new ConvexPolygons();
@@ -24,20 +24,16 @@ public final class ConvexShadows {
     private double[] insidePassing = new double[8];
     private double[] outsidePassing = new double[8];
 
-    /** The first lines, up to this one, are no part of its outline: it counts on their inner sides only. */
+    /** A figure's lines before this one do not belong to its outline: the shadow is on their inner sides only. */
     private int[] firstOfOutline = new int[8];
     private int count;
 
-    /** A power of two that makes the square about as wide as 1, to which the conics' rounding is fitted. */
+    /** A power of two that makes the square about as wide as 1, for which the constants of the conics are chosen. */
     private double scale;
     private double halfWidth;
 
-    /** No shadows. */
-    public ConvexShadows() {
-    }
-
     /**
-     * Forgets all shadows.
+     * Removes all shadows. Must be called before the first one is added.
      *
      * @param depth distance from the apex to the plane, above 0, and less than 2^100 times the width of the square
      * @param halfWidthOfSquare half the edge of the square around (0, 0), above 0
@@ -51,49 +47,21 @@ public final class ConvexShadows {
         balls.clear(scale * depth);
     }
 
-    /**
-     * The shadows of balls that count everywhere, to which more may be added.
-     *
-     * @return those added so far
-     */
+    /** The shadows of balls that the plane does not cut. */
     public BallShadows balls() {
         return balls;
     }
 
-    /**
-     * The shadows of balls that the plane cuts, to which more may be added.
-     *
-     * @return those added so far
-     */
+    /** The shadows of balls that the plane cuts. */
     public DiscShadows discs() {
         return discs;
     }
 
     /**
-     * Begins a shadow that is a convex figure with straight sides; its lines follow.
-     *
-     * @param passing share of light that comes through, in [0, 1]
+     * Begins a shadow: a convex figure with straight sides, whose lines follow. It may be bounded by other lines, which come
+     * first, and {@link #beginOutline} before those of the figure. Transmittances are given in it and around it, in [0, 1].
      */
-    public void beginFigure(double passing) {
-        begin(passing, 1);
-    }
-
-    /**
-     * Begins a shadow that is everything but a convex figure with straight sides. Lines follow that bound the shadow
-     * too, if there are some, then {@link #exceptFigure}, then the lines of the figure.
-     *
-     * @param passing share of light that comes through, in [0, 1]
-     */
-    public void beginAllButFigure(double passing) {
-        begin(1, passing);
-    }
-
-    /** The lines from here on are those of the figure that is left out of the shadow. */
-    public void exceptFigure() {
-        firstOfOutline[count - 1] = lineCount;
-    }
-
-    private void begin(double inside, double outside) {
+    public void beginFigure(double inside, double outside) {
         if (count == insidePassing.length) {
             insidePassing = Arrays.copyOf(insidePassing, 2 * count);
             outsidePassing = Arrays.copyOf(outsidePassing, 2 * count);
@@ -102,19 +70,17 @@ public final class ConvexShadows {
         }
         insidePassing[count] = inside;
         outsidePassing[count] = outside;
-        firstLine[count] = lineCount;
         firstOfOutline[count] = lineCount;
         count++;
         firstLine[count] = lineCount;
     }
 
-    /**
-     * Adds a line to the figure that was begun last. The figure is on the inner side of all its lines.
-     *
-     * @param lineA of the line
-     * @param lineB of the line
-     * @param lineC of the line
-     */
+    /** The lines that follow are those of the figure begun last; those before only bound the shadow. */
+    public void beginOutline() {
+        firstOfOutline[count - 1] = lineCount;
+    }
+
+    /** Adds a line to the figure begun last, which is on the inner side of all its lines. */
     public void addLine(double lineA, double lineB, double lineC) {
         if (lineCount == a.length) {
             a = Arrays.copyOf(a, 2 * lineCount);
@@ -128,26 +94,22 @@ public final class ConvexShadows {
     }
 
     /**
-     * The light that comes to the apex from the square, which shines evenly, as a share of what came without shadows.
-     *
-     * @return mean over the square of the product of the transmittances of all shadows that cover a point, in [0, 1]
+     * The share of light, in [0, 1], that comes to the apex from the square, which shines evenly: the mean over the square of
+     * the product of the transmittances of all shadows that cover a point.
      */
     public double share() {
         polygons.dropTo(0);
-        double light = light(polygons.addSquare(halfWidth), 0, 1);
-        double share = light / (4 * halfWidth * halfWidth);
+        double share = light(polygons.addSquare(halfWidth), 0, 1) / (4 * halfWidth * halfWidth);
         return share > 0 ? Math.min(share, 1) : 0;
     }
 
-    /** What a piece sends, that shines with the given strength, past all figures but the first few. */
+    /** The light of a piece that shines with some strength, past the figures from an index on, the discs and the balls. */
     private double light(int piece, int figure, double strength) {
         if (strength == 0) {
             return 0;
         }
-        if (figure == count) {
-            return discs.light(piece, strength);
-        }
-        return lightPastGate(piece, figure, firstLine[figure], strength);
+        return figure == count ? discs.light(piece, 0, strength)
+            : lightPastGate(piece, figure, firstLine[figure], strength);
     }
 
     private double lightPastGate(int piece, int figure, int gate, double strength) {
@@ -169,9 +131,9 @@ public final class ConvexShadows {
     }
 
     /**
-     * What is around the figure is cut off line by line, so that every part is convex. First comes the question whether
-     * all of the piece is beyond one line: then it stays in one. This method is long on purpose: the virtual machine
-     * does not compile a method of more than 325 bytes into its callers again (DECISIONS).
+     * The part outside the figure is cut off line by line, so that every part is convex. A piece that is wholly beyond one
+     * line is not cut, which is tested first. This method is long on purpose: the virtual machine does not inline a hot
+     * method of more than 325 bytes into its callers (DECISIONS).
      */
     private double lightPastFigure(int piece, int figure, double strength) {
         int from = firstOfOutline[figure];

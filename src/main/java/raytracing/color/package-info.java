@@ -1,2 +1,2 @@
-/** Colours, kept apart from vectors so that no point is ever lit and no light is ever crossed. */
+/** Linear light and factors on it, in types of their own, so that a vector cannot be taken for a colour. */
 package raytracing.color;

@@ -12,8 +12,8 @@ import java.util.Arrays;
 import java.util.Vector;
 
 /**
- * A picture as ImageIO's writers read it, row by row: only the band of the last row is in memory. Its pixels are those of
- * {@link Film#toImage}, and so are the files.
+ * A picture as ImageIO's writers read it, row by row, with only the band of the last row in memory; each band is a tile. Its
+ * pixels, and so the files, are those of {@link Film#toImage()}.
  */
 final class BandedImage implements RenderedImage {
     private static final ColorModel RGB = new DirectColorModel(24, 0xff0000, 0xff00, 0xff);
@@ -23,12 +23,7 @@ final class BandedImage implements RenderedImage {
     private Film band;
     private int index;
 
-    /**
-     * A picture.
-     *
-     * @param bands of it
-     * @param first the band that will be read first, which is awaited here
-     */
+    /** A picture whose band {@code first} will be read first, which is drawn here. */
     BandedImage(Bands bands, int first) {
         this.bands = bands;
         row = new int[bands.width()];
@@ -36,24 +31,21 @@ final class BandedImage implements RenderedImage {
         band = bands.band(first);
     }
 
-    /** A copy of some pixels, as a picture of its own. */
     @Override
     public Raster getData(Rectangle part) {
         WritableRaster copy = RGB.createCompatibleWritableRaster(part.width, part.height);
         for (int y = 0; y < part.height; y++) {
             readRow(part.y + y);
-            int[] pixels = part.x == 0 ? row : Arrays.copyOfRange(row, part.x, part.x + part.width);
-            copy.setDataElements(0, y, part.width, 1, pixels);
+            copy.setDataElements(0, y, part.width, 1, Arrays.copyOfRange(row, part.x, part.x + part.width));
         }
         return copy.createTranslatedChild(part.x, part.y);
     }
 
     private void readRow(int y) {
-        int wanted = y / bands.bandHeight();
-        if (wanted != index) {
-            band = new Film(1, 1);           // the old one goes before the new one comes: memory holds one at a time
-            band = bands.band(wanted);
-            index = wanted;
+        if (y / bands.bandHeight() != index) {
+            index = y / bands.bandHeight();
+            band = new Film(1, 1);           // frees the old band first: memory may hold only one
+            band = bands.band(index);
         }
         band.encodeRow(y - index * bands.bandHeight(), row);
     }
@@ -65,8 +57,7 @@ final class BandedImage implements RenderedImage {
 
     @Override
     public WritableRaster copyData(WritableRaster raster) {
-        WritableRaster target = raster == null
-            ? RGB.createCompatibleWritableRaster(getWidth(), getHeight()) : raster;
+        WritableRaster target = raster == null ? RGB.createCompatibleWritableRaster(getWidth(), getHeight()) : raster;
         target.setRect(getData(target.getBounds()));
         return target;
     }
@@ -82,7 +73,7 @@ final class BandedImage implements RenderedImage {
         return RGB;
     }
 
-    /** Of one row: no writer asks for more at once. */
+    /** The model of one row, as no writer reads more at once. */
     @Override
     public SampleModel getSampleModel() {
         return RGB.createCompatibleSampleModel(getWidth(), 1);
@@ -148,7 +139,7 @@ final class BandedImage implements RenderedImage {
         return 0;
     }
 
-    /** {@inheritDoc} None: by the interface's rule, null. */
+    /** {@inheritDoc} It has none, which the interface has as null. */
     @Override
     public Vector<RenderedImage> getSources() {
         return null;
@@ -159,7 +150,7 @@ final class BandedImage implements RenderedImage {
         return Image.UndefinedProperty;
     }
 
-    /** {@inheritDoc} None: by the interface's rule, null. */
+    /** {@inheritDoc} It has none, which the interface has as null. */
     @Override
     public String[] getPropertyNames() {
         return null;

@@ -6,10 +6,10 @@ import java.util.BitSet;
 import raytracing.color.Color;
 
 /**
- * Linear light for every pixel, row by row from the upper left corner. Each pixel has one writer; different pixels may
- * be written by different threads, and whoever reads must have waited for them.
+ * Linear light for every pixel, row by row from the upper left corner, as a picture in one band. Each pixel has one writer;
+ * different threads may write different pixels, and a reader must have waited for them.
  */
-public final class Film {
+public final class Film implements Bands {
     /** Most pixels that one film can hold: three numbers each in one array. */
     public static final int MOST_PIXELS = (Integer.MAX_VALUE - 8) / 3;
 
@@ -21,30 +21,17 @@ public final class Film {
     private final int height;
     private final double[] light;
 
-    /** Pixels that were not finished; none but in pictures that were stopped. */
+    /** Pixels that were not finished; there are some only in pictures that were stopped. */
     private final BitSet gaps = new BitSet();
 
-    /**
-     * A black film.
-     *
-     * @param width in pixels, at least 1
-     * @param height in pixels, at least 1; width times height at most {@link #MOST_PIXELS}
-     */
+    /** A black film of at least one and at most {@link #MOST_PIXELS} pixels. */
     public Film(int width, int height) {
         this.width = width;
         this.height = height;
         light = new double[CHANNELS * Math.multiplyExact(width, height)];
     }
 
-    /**
-     * Another film with some of this film's rows and columns.
-     *
-     * @param left first column
-     * @param top first row
-     * @param partWidth how many columns
-     * @param partHeight how many rows
-     * @return a copy that has its own pixels
-     */
+    /** A copy of some rows and columns. */
     public Film part(int left, int top, int partWidth, int partHeight) {
         Film part = new Film(partWidth, partHeight);
         for (int y = 0; y < partHeight; y++) {
@@ -54,33 +41,27 @@ public final class Film {
         return part;
     }
 
-    /**
-     * Width of the picture.
-     *
-     * @return in pixels
-     */
+    @Override
     public int width() {
         return width;
     }
 
-    /**
-     * Height of the picture.
-     *
-     * @return in pixels
-     */
+    @Override
     public int height() {
         return height;
     }
 
-    /**
-     * Exposes a pixel.
-     *
-     * @param x column, in [0, width)
-     * @param y row, in [0, height), from the top
-     * @param red linear light, at least 0
-     * @param green linear light
-     * @param blue linear light
-     */
+    @Override
+    public int bandHeight() {
+        return height;
+    }
+
+    @Override
+    public Film band(int index) {
+        return this;
+    }
+
+    /** Sets the linear light, at least 0 in each channel, of the pixel in column x and row y, both from 0. */
     public void set(int x, int y, double red, double green, double blue) {
         int i = CHANNELS * (y * width + x);
         light[i] = red;
@@ -88,59 +69,27 @@ public final class Film {
         light[i + 2] = blue;
     }
 
-    /**
-     * The light of a pixel.
-     *
-     * @param x column, in [0, width)
-     * @param y row, in [0, height), from the top
-     * @return linear light as it was set, black before
-     */
+    /** The linear light of a pixel; black before it is set. */
     public Color get(int x, int y) {
         int i = CHANNELS * (y * width + x);
         return new Color(light[i], light[i + 1], light[i + 2]);
     }
 
-    /**
-     * Makes a pixel one that was not finished.
-     *
-     * @param x column, in [0, width)
-     * @param y row, in [0, height), from the top
-     * @param instead what it shows where a picture can have no gaps
-     */
+    /** Marks a pixel as not finished; {@code instead} is its light where a picture can have no gaps. */
     public void leaveGap(int x, int y, Color instead) {
         set(x, y, instead.red(), instead.green(), instead.blue());
         gaps.set(y * width + x);
     }
 
-    /**
-     * Whether a pixel was not finished.
-     *
-     * @param x column, in [0, width)
-     * @param y row, in [0, height), from the top
-     * @return true if it is a gap
-     */
     public boolean isGap(int x, int y) {
         return gaps.get(y * width + x);
     }
 
-    /**
-     * Whether some pixels were not finished.
-     *
-     * @return true if there are gaps
-     */
     public boolean hasGaps() {
         return !gaps.isEmpty();
     }
 
-    /**
-     * How far two pixels are apart in the picture, where light above 1 looks like 1.
-     *
-     * @param x column of the one, in [0, width)
-     * @param y row, in [0, height), from the top
-     * @param otherX column of the other
-     * @param otherY row
-     * @return the largest difference of a channel clamped to [0, 1]
-     */
+    /** The largest difference, over the channels, of the {@link #shown} light of two pixels. */
     public double contrast(int x, int y, int otherX, int otherY) {
         int i = CHANNELS * (y * width + x);
         int j = CHANNELS * (otherY * width + otherX);
@@ -151,91 +100,55 @@ public final class Film {
         return largest;
     }
 
-    /**
-     * What a picture shows of a channel's light.
-     *
-     * @param channel linear light, at least 0
-     * @return the channel, at most 1
-     */
+    /** The part of a channel's linear light, at least 0, that a picture can show: at most 1. */
     public static double shown(double channel) {
         return Math.min(channel, 1);
     }
 
     /**
-     * The picture in 8 bits a channel, without gamma: each channel clamped to [0, 1] and rounded to the nearest of
-     * 0/255 to 255/255, ties upwards.
-     *
-     * @return a picture of type {@link BufferedImage#TYPE_INT_RGB}
+     * The picture in 8 bits a channel, of type {@link BufferedImage#TYPE_INT_RGB} and without gamma: each channel is clamped
+     * to [0, 1] and rounded to the nearest of 0/255 to 255/255, ties upwards.
      */
     public BufferedImage toImage() {
         return toImage(BufferedImage.TYPE_INT_RGB);
     }
 
-    /**
-     * The picture as {@link #toImage} has it, with transparent black in its gaps.
-     *
-     * @return a picture of type {@link BufferedImage#TYPE_INT_ARGB}
-     */
-    BufferedImage toImageWithGaps() {
-        return toImage(BufferedImage.TYPE_INT_ARGB);
-    }
-
-    private BufferedImage toImage(int type) {
+    /** The same picture of a type; with {@link BufferedImage#TYPE_INT_ARGB}, its gaps are transparent black. */
+    BufferedImage toImage(int type) {
         BufferedImage image = new BufferedImage(width, height, type);
         paint(image, 0);
         return image;
     }
 
-    /** Paints all rows into an image as wide as they are, from one of its rows on; with gaps if it can have some. */
+    /** Copies all rows into an image of the same width, from its row {@code top} on; with gaps as {@link #toImage(int)}. */
     void paint(BufferedImage image, int top) {
         WritableRaster pixels = image.getRaster();   // copies rows; the image itself would convert pixel by pixel
+        boolean showsGaps = image.getType() == BufferedImage.TYPE_INT_ARGB;
         int[] row = new int[width];
         for (int y = 0; y < height; y++) {
             encodeRow(y, row);
-            if (image.getType() == BufferedImage.TYPE_INT_ARGB) {
-                cutGaps(y, row);
+            for (int x = 0; x < width && showsGaps; x++) {
+                row[x] = isGap(x, y) ? 0 : OPAQUE | row[x];
             }
             pixels.setDataElements(0, top + y, width, 1, row);
         }
     }
 
-    /** Writes a row of the picture into an array: 8 bits each of red, green and blue, the last lowest. */
+    /** Writes a row of the picture into an array, each pixel as {@link #encoded(int, int)}. */
     void encodeRow(int y, int[] row) {
         for (int x = 0; x < width; x++) {
             row[x] = encoded(x, y);
         }
     }
 
-    private void cutGaps(int y, int[] row) {
-        for (int x = 0; x < width; x++) {
-            row[x] = isGap(x, y) ? 0 : OPAQUE | row[x];
-        }
-    }
-
-    /**
-     * What a picture shows of a pixel.
-     *
-     * @param x column, in [0, width)
-     * @param y row, in [0, height), from the top
-     * @return 8 bits each of red, green and blue, the last lowest
-     */
+    /** A pixel of the picture: 8 bits each of red, green and blue, blue lowest. */
     public int encoded(int x, int y) {
-        int i = CHANNELS * (y * width + x);
-        return encoded(light[i], light[i + 1], light[i + 2]);
+        return encoded(get(x, y));
     }
 
-    /**
-     * What a picture would show of some light.
-     *
-     * @param light linear
-     * @return 8 bits each of red, green and blue, the last lowest
-     */
+    /** The pixel of a picture for some linear light: 8 bits each of red, green and blue, blue lowest. */
     public static int encoded(Color light) {
-        return encoded(light.red(), light.green(), light.blue());
-    }
-
-    private static int encoded(double red, double green, double blue) {
-        return encoded(red) << 16 | encoded(green) << 8 | encoded(blue);
+        return encoded(light.red()) << 16 | encoded(light.green()) << 8 | encoded(light.blue());
     }
 
     private static int encoded(double channel) {

@@ -22,8 +22,8 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 
 /**
- * A picture file that appears under its name whole or not at all: it is written beside it under another name, and
- * renamed when complete. Whatever stood there before stays until then, and its mode, group and owner go over.
+ * A picture file that appears under its name complete or not at all: it is written in the same folder under another name,
+ * and renamed when complete. An older file stays until then, and the new one takes over its mode, group and owner.
  */
 public final class ImageFile {
     private static final float JPEG_QUALITY = 0.95f;
@@ -34,10 +34,8 @@ public final class ImageFile {
     private final ImageFormat format;
 
     /**
-     * A file that may not exist yet.
-     *
-     * @param name where; a link is followed, so that what it leads to is created or replaced and not the link
-     * @param format what to write, whatever the name says
+     * A file that need not exist yet, in a format that need not be that of the name's ending. A link is followed, so that
+     * the file it leads to is created or replaced and not the link.
      */
     public ImageFile(Path name, ImageFormat format) {
         this.name = name;
@@ -47,15 +45,15 @@ public final class ImageFile {
     }
 
     /**
-     * Finds out, before any work is done, why this file could not be written. Creates an empty file beside it, and deletes
-     * it: only so is it known what the file system allows.
+     * The reason, found out before any work is done, why this file could not be written: a sentence without the file's name;
+     * none if it can be. Creates an empty file in its folder, and deletes it, as only this shows what the file system allows.
      *
-     * @param scene the file that the picture is drawn from, and is not to replace
-     * @return what is in the way, a sentence without the file's name; none if nothing is
-     * @throws IOException if the machine fails, as a full disk does
+     * @param scene the file from which the picture is drawn, and which it must not replace
+     * @throws IOException if the machine fails, for instance with a full disk
      */
     public Optional<String> obstacle(Path scene) throws IOException {
-        Optional<String> obstacle = Files.isDirectory(folder()) ? obstacleInFolder(scene) : Optional.of("no such folder");
+        Optional<String> obstacle = Files.isDirectory(path.resolveSibling("")) ? obstacleInFolder(scene)
+            : Optional.of("no such folder");
         return obstacle.isEmpty() || path.equals(name) ? obstacle
             : Optional.of("is a link to " + path + ": " + obstacle.get());
     }
@@ -80,7 +78,8 @@ public final class ImageFile {
         }
         try {
             return isNew || !new OlderFile(path).isProtected(own) ? Optional.empty()
-                : Optional.of("belongs to another user, who alone may replace it in this folder; give the picture another name");
+                : Optional.of("belongs to another user, who alone may replace it in this folder; "
+                    + "give the picture another name");
         } finally {
             Files.delete(own);
         }
@@ -97,20 +96,16 @@ public final class ImageFile {
             : Optional.of("exists and may not be replaced");
     }
 
-    private Path folder() {
-        return path.resolveSibling("");
-    }
-
     private Path unfinished() {
         return path.resolveSibling(UNFINISHED + Long.toUnsignedString(System.nanoTime(), Character.MAX_RADIX));
     }
 
     /**
-     * Begins to load what {@link #write} will need, beside whatever is done until then: in a cold virtual machine that
-     * takes some 90 ms, most of what writing a small picture takes. Writes nothing. What fails here fails again when the
-     * picture is written, and is reported then.
+     * Starts a thread that loads the classes that {@link #write} will need: in a cold virtual machine that takes some 90 ms,
+     * most of the time for writing a small picture. Writes nothing. An error here occurs again when the picture is written,
+     * and is reported then.
      *
-     * @return the thread, for those who must not meet Java's picture classes at the same time
+     * @return the thread, for callers that must not load Java's picture classes at the same time
      */
     public Thread prepare() {
         Thread thread = new Thread("encoder") {
@@ -119,7 +114,7 @@ public final class ImageFile {
                 try {
                     encode(new Film(1, 1).toImage(), OutputStream.nullOutputStream());
                 } catch (IOException | RuntimeException | Error reportedByWrite) {
-                    // nothing is lost but the head start
+                    // only the time saved is lost
                 }
             }
         };
@@ -129,22 +124,11 @@ public final class ImageFile {
     }
 
     /**
-     * Writes a picture that is there.
+     * Writes a picture band by band; an exception of a band is thrown on. PNG and BMP files are written while the bands are
+     * drawn, and created after the first; other formats need the whole picture in memory, 4 bytes a pixel. Gaps are
+     * transparent where {@link ImageFormat#showsGaps} is true.
      *
-     * @param film the picture
-     * @throws IOException if it cannot be written; then whatever stood there before still does
-     */
-    public void write(Film film) throws IOException {
-        write(Bands.of(film));
-    }
-
-    /**
-     * Writes a picture band by band. PNG and BMP files are written as the bands come, the first of which is awaited before
-     * there is a file; other formats need the whole picture in memory, 4 bytes a pixel. Gaps are transparent where
-     * {@link ImageFormat#showsGaps} says so.
-     *
-     * @param bands of the picture; what they throw is thrown
-     * @throws IOException if it cannot be written; then whatever stood there before still does
+     * @throws IOException if it cannot be written; an older file is then still there
      */
     public void write(Bands bands) throws IOException {
         RenderedImage image = image(bands);
@@ -154,7 +138,9 @@ public final class ImageFile {
             try (OutputStream stream = created(unfinished)) {
                 encode(image, stream);
             }
-            moveIntoPlace(unfinished);
+            Files.move(unfinished, path, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException rareFileSystem) {
+            Files.move(unfinished, path, StandardCopyOption.REPLACE_EXISTING);
         } finally {
             Files.deleteIfExists(unfinished);
         }
@@ -172,7 +158,8 @@ public final class ImageFile {
     private RenderedImage image(Bands bands) {
         if (bands.count() == 1) {
             Film film = bands.band(0);
-            return film.hasGaps() && format.showsGaps(bands) ? film.toImageWithGaps() : film.toImage();
+            return film.toImage(film.hasGaps() && format.showsGaps(bands) ? BufferedImage.TYPE_INT_ARGB
+                : BufferedImage.TYPE_INT_RGB);
         }
         if (format.reading() != ImageFormat.Reading.WHOLE) {
             return new BandedImage(bands, format.reading() == ImageFormat.Reading.DOWN ? 0 : bands.count() - 1);
@@ -184,32 +171,20 @@ public final class ImageFile {
         return whole;
     }
 
-    /** One at a time: threads that first meet the classes of a library in different orders may wait for each other. */
+    /** One at a time: two threads that load the classes of a library in different orders may wait for each other. */
     private synchronized void encode(RenderedImage image, OutputStream stream) throws IOException {
-        ImageIO.setUseCache(false);          // its cache is a file in another folder, which may be full or forbidden
-        ImageWriter writer = ImageIO.getImageWritersByFormatName(format.imageIoName()).next();
+        ImageIO.setUseCache(false);          // its cache is a file in another folder, which may be full or not writable
+        ImageWriter writer = ImageIO.getImageWritersByFormatName(format.name()).next();
         try (ImageOutputStream output = ImageIO.createImageOutputStream(stream)) {
+            ImageWriteParam parameters = writer.getDefaultWriteParam();
+            if (format == ImageFormat.JPEG) {
+                parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+                parameters.setCompressionQuality(JPEG_QUALITY);
+            }
             writer.setOutput(output);
-            writer.write(null, new IIOImage(image, null, null), parameters(writer));
+            writer.write(null, new IIOImage(image, null, null), parameters);
         } finally {
             writer.dispose();
-        }
-    }
-
-    private ImageWriteParam parameters(ImageWriter writer) {
-        ImageWriteParam parameters = writer.getDefaultWriteParam();
-        if (format == ImageFormat.JPEG) {
-            parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-            parameters.setCompressionQuality(JPEG_QUALITY);
-        }
-        return parameters;
-    }
-
-    private void moveIntoPlace(Path unfinished) throws IOException {
-        try {
-            Files.move(unfinished, path, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException rareFileSystem) {
-            Files.move(unfinished, path, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 }

@@ -30,12 +30,7 @@ public enum ImageFormat {
         this.endings = List.of(endings);
     }
 
-    /**
-     * The format that a file's name asks for.
-     *
-     * @param fileName a name or path; the letter case of its ending does not matter
-     * @return the format, or none if the name has no ending or one that stands for no format
-     */
+    /** The format that belongs to the ending, in any case, of a name or path; none if there is no such format. */
     public static Optional<ImageFormat> ofEnding(String fileName) {
         String lowerCase = fileName.toLowerCase(Locale.ROOT);
         for (ImageFormat format : values()) {
@@ -48,54 +43,37 @@ public enum ImageFormat {
         return Optional.empty();
     }
 
-    /**
-     * The longest width or height that the format can hold.
-     *
-     * @return in pixels
-     */
+    /** The largest width or height, in pixels, that the format can hold. */
     public int longestSide() {
         return longestSide;
     }
 
-    /**
-     * The largest picture that a file of this format can hold.
-     *
-     * @return width times height
-     */
+    /** The largest width times height that a file of this format can hold. */
     public long mostPixels() {
         return mostPixels;
     }
 
     /**
-     * Whether what is missing in a picture is transparent in its file. The header of a file of several bands is written
-     * before anybody knows that something will be.
-     *
-     * @param bands of the picture
-     * @return false if something else stands in the gaps
+     * Whether the gaps of a picture are transparent in its file. They are not in a file of several bands, whose header is
+     * written before it is known that there will be gaps.
      */
     public boolean showsGaps(Bands bands) {
         return this == PNG && bands.count() == 1;
     }
 
-    /** How ImageIO's writer reads the picture. */
     Reading reading() {
         return reading;
     }
 
-    /** What ImageIO calls the format. */
-    String imageIoName() {
-        return endings.get(0);
-    }
-
-    /** How a writer reads a picture. */
+    /** How ImageIO's writer reads a picture. */
     enum Reading {
-        /** Row by row from the top, each once, keeping none. */
+        /** Row by row from the top, each row once. */
         DOWN,
 
-        /** Row by row from the bottom, each once, keeping none. */
+        /** Row by row from the bottom, each row once. */
         UP,
 
-        /** As it likes. */
+        /** In any order. */
         WHOLE
     }
 }

@@ -6,19 +6,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Follows symbolic links one by one, because nothing need exist where the last one leads to. */
+/** Follows symbolic links one by one, as the last one may lead to a file that does not exist yet. */
 public final class Links {
-    /** How many in a row: as many as Linux follows. */
+    /** As many links in a row as Linux follows. */
     private static final int MOST = 40;
 
     private Links() {
     }
 
     /**
-     * A name, and all that it leads to.
-     *
-     * @param name of a file or link, or of nothing
-     * @return the name itself, and if it is a link, where that leads, and so on; ends early at a link that cannot be read
+     * The name itself, which may be that of a file, a link or nothing; if it is a link, where that leads, and so on. Ends
+     * early at a link that cannot be read.
      */
     public static List<Path> from(Path name) {
         List<Path> names = new ArrayList<>();

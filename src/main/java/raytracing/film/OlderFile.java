@@ -10,21 +10,17 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Map;
 import java.util.Set;
 
-/** A file that another one is going to replace. Its rights are a matter of Unix; other systems have rules of their own. */
+/** A file that another one is going to replace. Its rights are handled on Unix only; other systems have their own rules. */
 record OlderFile(Path path) {
     private static final String UNIX = "unix";
     private static final int STICKY = 01000;
-    private static final int RIGHTS = 0777;
-    private static final int RIGHTS_BUT_THE_GROUPS = 0707;
-    private static final int RIGHTS_OF_ALL_OTHERS = 0007;
-    private static final int FROM_ALL_OTHERS_TO_THE_GROUP = 3;
     private static final int ROOT = 0;
 
     /**
-     * Whether it stays because it belongs to another user: in a sticky folder, as /tmp is, only its owner, the folder's and
-     * root may replace a file, also if others may write it.
+     * Whether this process may not replace it because it belongs to another user: in a sticky folder, such as /tmp, only its
+     * owner, the folder's owner and root may replace a file, even if others may write to it.
      *
-     * @param own a file of this process in the same folder, which tells whose process it is
+     * @param own a file of this process in the same folder, whose owner is the process's user
      */
     boolean isProtected(Path own) throws IOException {
         Path folder = path.resolveSibling("");
@@ -45,10 +41,9 @@ record OlderFile(Path path) {
             Set.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE)));
         OutputStream stream = Files.newOutputStream(newer, StandardOpenOption.WRITE);
         boolean sameGroup = give(newer, "gid", (int) rights.get("gid"));
-        int mode = (int) rights.get("mode") & RIGHTS;
-        // another group gets no more than all others have
-        give(newer, "mode", sameGroup ? mode
-            : mode & RIGHTS_BUT_THE_GROUPS | (mode & RIGHTS_OF_ALL_OTHERS) << FROM_ALL_OTHERS_TO_THE_GROUP);
+        int mode = (int) rights.get("mode") & 0777;
+        // another group gets no more rights than all others have
+        give(newer, "mode", sameGroup ? mode : mode & 0707 | (mode & 0007) << 3);
         give(newer, "uid", (int) rights.get("uid"));
         return stream;
     }
@@ -61,7 +56,10 @@ record OlderFile(Path path) {
         return (int) Files.getAttribute(file, UNIX + ":" + attribute);
     }
 
-    /** Only root may give a file to another user, and only a member to a group; some file systems have no rights at all. */
+    /**
+     * Sets an attribute; returns whether that was allowed. Only root may give a file to another user, and only a member may
+     * give it to a group; some file systems have no rights at all.
+     */
     private static boolean give(Path file, String attribute, int value) {
         try {
             Files.setAttribute(file, UNIX + ":" + attribute, value);

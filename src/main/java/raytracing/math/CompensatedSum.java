@@ -1,24 +1,16 @@
 package raytracing.math;
 
 /**
- * Sums of products as if worked out in twice the precision and rounded once: what every rounding takes is kept and added
- * at the end (Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26:6, 2005, algorithm Dot2).
+ * Sums of products as if computed in twice the precision and rounded once: the error of every rounding is kept and added at
+ * the end (Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26:6, 2005, algorithm Dot2).
  */
 public final class CompensatedSum {
     private CompensatedSum() {
     }
 
     /**
-     * The number s + a . b.
-     *
-     * @param s first term
-     * @param ax vector a, x part
-     * @param ay y part
-     * @param az z part
-     * @param bx vector b, x part
-     * @param by y part
-     * @param bz z part
-     * @return error at most u times the result plus 2^-102 times the sum of the terms' sizes, u = 2^-53 (proved there)
+     * The number s + a . b. The error is at most u times the result plus 2^-102 times the sum of the terms' sizes, with
+     * u = 2^-53 (proved there).
      */
     public static double ofProducts(double s, double ax, double ay, double az, double bx, double by, double bz) {
         double x = ax * bx;
@@ -28,19 +20,11 @@ public final class CompensatedSum {
         double xyz = xy + z;
         double sum = s + xyz;
         double productErrors = Math.fma(ax, bx, -x) + Math.fma(ay, by, -y) + Math.fma(az, bz, -z);
-        double sumErrors = errorOfSum(x, y, xy) + errorOfSum(xy, z, xyz)
-            + errorOfSum(s, xyz, sum);
+        double sumErrors = errorOfSum(x, y, xy) + errorOfSum(xy, z, xyz) + errorOfSum(s, xyz, sum);
         return sum + (productErrors + sumErrors);
     }
 
-    /**
-     * What rounding took from a sum of two doubles, exactly (Knuth's TwoSum).
-     *
-     * @param a summand
-     * @param b summand
-     * @param sum a + b as a double
-     * @return the real number a + b - sum
-     */
+    /** The real number a + b - sum, exactly, where {@code sum} is a + b rounded to a double (Knuth's TwoSum). */
     public static double errorOfSum(double a, double b, double sum) {
         double partOfB = sum - a;
         return (a - (sum - partOfB)) + (b - partOfB);

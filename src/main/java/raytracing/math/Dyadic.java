@@ -4,17 +4,14 @@ import java.math.BigInteger;
 
 /**
  * An exact number: a whole number times a power of two, as every double is, and every sum and product of such numbers. It
- * decides what no fixed precision can. Slow, and hardly ever asked. Immutable.
+ * decides what no fixed precision can. Slow, and rarely needed. Immutable.
  *
- * @param significand the whole number
  * @param exponent of two
  */
 public record Dyadic(BigInteger significand, int exponent) implements Comparable<Dyadic> {
-    /** Zero. */
     public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
 
     private static final int FRACTION_BITS = 52;
-    private static final long IMPLICIT_BIT = 1L << FRACTION_BITS;
 
     /** Bits that go into a rounding: a double's, one that decides, and more; one for the sign is left. */
     private static final int BITS_TO_ROUND = 62;
@@ -22,32 +19,17 @@ public record Dyadic(BigInteger significand, int exponent) implements Comparable
     /** Bits of a quotient or a root at least: many more than those of a double. */
     private static final int BITS_TO_KEEP = 80;
 
-    /**
-     * A double, unchanged.
-     *
-     * @param value finite
-     * @return the same number
-     */
+    /** The same number as a finite double. */
     public static Dyadic of(double value) {
         if (value == 0) {
             return ZERO;
         }
-        long bits = Double.doubleToRawLongBits(value);
-        long fraction = bits & (IMPLICIT_BIT - 1);
-        boolean isNormal = Math.abs(value) >= Double.MIN_NORMAL;
-        long whole = isNormal ? fraction | IMPLICIT_BIT : fraction;
         int exponent = Math.max(Math.getExponent(value), Double.MIN_EXPONENT) - FRACTION_BITS;
+        long whole = (long) Math.scalb(value, -exponent);
         int zeros = Long.numberOfTrailingZeros(whole);
-        long odd = whole >>> zeros;
-        return new Dyadic(BigInteger.valueOf(value < 0 ? -odd : odd), exponent + zeros);
+        return new Dyadic(BigInteger.valueOf(whole >> zeros), exponent + zeros);
     }
 
-    /**
-     * Sum.
-     *
-     * @param other summand
-     * @return this + other
-     */
     public Dyadic plus(Dyadic other) {
         if (signum() == 0) {
             return other;
@@ -60,32 +42,17 @@ public record Dyadic(BigInteger significand, int exponent) implements Comparable
             : other.plus(this);
     }
 
-    /**
-     * Difference.
-     *
-     * @param other subtrahend
-     * @return this - other
-     */
     public Dyadic minus(Dyadic other) {
         return plus(other.negated());
     }
 
-    /**
-     * Product.
-     *
-     * @param other factor
-     * @return this times other
-     */
     public Dyadic times(Dyadic other) {
         return new Dyadic(significand.multiply(other.significand), exponent + other.exponent);
     }
 
     /**
-     * Quotient, cut off.
-     *
-     * @param divisor not 0
-     * @return this / divisor; relative error at most 2^-77 (proved: at most 2^-79 each for both numbers and for the
-     *         quotient), and 0 for 0
+     * The quotient by a divisor that is not 0, cut off: 0 for 0, else with a relative error of at most 2^-77 (proved: at
+     * most 2^-79 each for both numbers and for the quotient).
      */
     public Dyadic over(Dyadic divisor) {
         Dyadic dividend = cutTo(2 * BITS_TO_KEEP);
@@ -94,10 +61,8 @@ public record Dyadic(BigInteger significand, int exponent) implements Comparable
     }
 
     /**
-     * Square root, cut off.
-     *
-     * @return root of this number, which is at least 0; relative error at most 2^-78 (proved: 2^-158 for the number, 2^-79
-     *         for the root), and 0 for 0
+     * The square root of a number that is at least 0, cut off: 0 for 0, else with a relative error of at most 2^-78
+     * (proved: 2^-158 for the number, 2^-79 for the root).
      */
     public Dyadic squareRoot() {
         int bits = (exponent + significand.bitLength()) % 2 == 0 ? 2 * BITS_TO_KEEP : 2 * BITS_TO_KEEP - 1;
@@ -112,20 +77,10 @@ public record Dyadic(BigInteger significand, int exponent) implements Comparable
             : significand.shiftLeft(shift), exponent - shift);
     }
 
-    /**
-     * The opposite number.
-     *
-     * @return this times -1
-     */
     public Dyadic negated() {
         return new Dyadic(significand.negate(), exponent);
     }
 
-    /**
-     * Size.
-     *
-     * @return this or its opposite, whichever is not below 0
-     */
     public Dyadic abs() {
         return new Dyadic(significand.abs(), exponent);
     }
@@ -145,26 +100,18 @@ public record Dyadic(BigInteger significand, int exponent) implements Comparable
         return leadingBit != othersLeadingBit ? Integer.compare(leadingBit, othersLeadingBit) : minus(other).signum();
     }
 
-    /**
-     * Sign.
-     *
-     * @return -1, 0 or 1
-     */
     public int signum() {
         return significand.signum();
     }
 
     /**
-     * This number as a double.
-     *
-     * @return the nearest one, of two the even one; one of the two nearest where it is smaller than all normal numbers;
-     *         infinite beyond all doubles
+     * The nearest double, of two the even one; below all normal numbers one of the two nearest, beyond all doubles infinity.
      */
     public double doubleValue() {
         BigInteger size = significand.abs();
         int dropped = Math.max(0, size.bitLength() - BITS_TO_ROUND);
         boolean isRest = dropped > 0 && size.getLowestSetBit() < dropped;
-        // whatever is dropped can only break a tie, and so can the last of the bits that stay
+        // the dropped bits can only break a tie, and so can the last of those that stay
         long leading = size.shiftRight(dropped).longValueExact() | (isRest ? 1 : 0);
         double rounded = Math.scalb((double) leading, exponent + dropped);
         return significand.signum() < 0 ? -rounded : rounded;

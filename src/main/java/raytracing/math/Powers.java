@@ -9,25 +9,17 @@ public final class Powers {
     }
 
     /**
-     * A number to a power.
-     *
-     * @param base at least 0
-     * @param exponent at least 0
-     * @return base^exponent; anything to the power 0 is 1. Relative error below 2^-52 times the exponent for whole
-     *         exponents up to 4096 (proved: that many roundings at most), otherwise 1 ulp (fdlibm's)
+     * base^exponent, for numbers of at least 0; any base to the power 0 is 1. The relative error is below 2^-52 times the
+     * exponent for whole exponents up to 4096 (proved: that many roundings at most), otherwise 1 ulp (fdlibm's). Whole ones go
+     * by repeated squaring: Knuth, The Art of Computer Programming, volume 2, section 4.6.3, algorithm A.
      */
     public static double power(double base, double exponent) {
-        if (exponent <= LARGEST_MULTIPLIED && exponent == (int) exponent) {
-            return multiplied(base, (int) exponent);
+        if (exponent > LARGEST_MULTIPLIED || exponent != (int) exponent) {
+            return StrictMath.pow(base, exponent);
         }
-        return StrictMath.pow(base, exponent);
-    }
-
-    /** By repeated squaring: Knuth, The Art of Computer Programming, volume 2, section 4.6.3, algorithm A. */
-    private static double multiplied(double base, int exponent) {
         double product = 1;
         double square = base;
-        for (int bits = exponent; bits != 0; bits >>= 1) {
+        for (int bits = (int) exponent; bits != 0; bits >>= 1) {
             if ((bits & 1) != 0) {
                 product *= square;
             }

@@ -1,26 +1,19 @@
 package raytracing.math;
 
 /**
- * An exact number (p + s sqrt(q)) / r, where p, q and r are sums and products of doubles: what a ray's crossing with a plane, a
- * cube or a sphere is. Such numbers are compared by squaring the roots away, so nothing is rounded. Immutable.
+ * An exact number (p + s sqrt(q)) / r, where p, q and r are sums and products of doubles, as a ray's crossing with a plane,
+ * a cube or a sphere is. Such numbers are compared by squaring the roots away, so nothing is rounded. Immutable.
  *
  * @param rational the number p
  * @param signedSquare the number s q, where s is 1 or -1 and q is at least 0; 0 for a quotient without a root
  * @param divisor the number r, above 0
  */
 public record Surd(Dyadic rational, Dyadic signedSquare, Dyadic divisor) implements Comparable<Surd> {
-    /** Zero. */
     public static final Surd ZERO = new Surd(Dyadic.ZERO, Dyadic.ZERO, Dyadic.of(1));
 
     private static final Dyadic FOUR = Dyadic.of(4);
 
-    /**
-     * A quotient.
-     *
-     * @param dividend any number
-     * @param divisor not 0
-     * @return dividend / divisor
-     */
+    /** A number over another that is not 0. */
     public static Surd quotient(Dyadic dividend, Dyadic divisor) {
         return divisor.signum() > 0 ? new Surd(dividend, Dyadic.ZERO, divisor)
             : new Surd(dividend.negated(), Dyadic.ZERO, divisor.negated());
@@ -35,11 +28,6 @@ public record Surd(Dyadic rational, Dyadic signedSquare, Dyadic divisor) impleme
         return signOfSum(difference, mine, others.negated());
     }
 
-    /**
-     * Sign.
-     *
-     * @return -1, 0 or 1
-     */
     public int signum() {
         return signOfSum(rational, signedSquare);
     }
@@ -66,10 +54,8 @@ public record Surd(Dyadic rational, Dyadic signedSquare, Dyadic divisor) impleme
     }
 
     /**
-     * This number as a double.
-     *
-     * @return error at most half a unit in the last place and 2^-70 of it, where the number is in the range of normal
-     *         doubles; one of the two nearest below that, and infinite beyond
+     * This number as a double. The error is at most half a unit in the last place and 2^-70 of it where the number is in
+     * the range of normal doubles; below that it is one of the two nearest, beyond it infinity.
      */
     public double doubleValue() {
         if (signedSquare.signum() == 0) {

@@ -3,8 +3,8 @@ package raytracing.parse;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads decimal numbers from bytes: sign, digits with at most one dot among or beside them, exponent; no words, no
- * hexadecimal, no type suffix. The answer is the double nearest to the decimal, as {@link Double#parseDouble} gives it.
+ * Reads decimal numbers from bytes: sign, digits with at most one dot, exponent; no words, no hexadecimal, no type suffix.
+ * The result is the double nearest to the decimal, as {@link Double#parseDouble} returns it.
  *
  * <p>Most numbers in scenes are short: their digits make a whole number that is a double, and the power of ten that
  * belongs to it is one too, both exactly. Then one multiplication or division of the two rounds once, so it gives the
@@ -30,7 +30,7 @@ final class DecimalReader {
         this.text = text;
     }
 
-    /** Whether a word is a decimal number, also one too large for a double. */
+    /** Whether a word is a decimal number, perhaps one too large for a double. */
     static boolean isDecimal(String word) {
         byte[] bytes = word.getBytes(StandardCharsets.UTF_8);
         return !Double.isNaN(new DecimalReader(bytes).read(0, bytes.length));
@@ -54,17 +54,16 @@ final class DecimalReader {
 
     /** Reads digits and dot as a whole number times a power of ten; false if there is no digit. */
     private boolean readDigits() {
-        int wholeStart = position;
+        int start = position;
         significand = wholeNumber(0);
-        int digits = position - wholeStart;
+        boolean hasWholePart = position > start;
         powerOfTen = 0;
         if (skip('.')) {
-            int fractionStart = position;
+            start = position;
             significand = wholeNumber(significand);
-            powerOfTen = fractionStart - position;
-            digits += position - fractionStart;
+            powerOfTen = start - position;
         }
-        return digits > 0;
+        return hasWholePart || powerOfTen < 0;
     }
 
     /** Reads an exponent if there is one; false if it has no digit. */
@@ -79,7 +78,7 @@ final class DecimalReader {
         return position > start;
     }
 
-    /** Reads digits behind those of {@code before}; what has grown too large to be exact grows no further. */
+    /** Reads digits after those of {@code before}; a number that is too large to be exact does not grow any further. */
     private long wholeNumber(long before) {
         long number = before;
         int i = position;
@@ -93,7 +92,7 @@ final class DecimalReader {
         return number;
     }
 
-    /** Whether there was a minus. */
+    /** Skips a sign if there is one; returns whether it is a minus. */
     private boolean skipSign() {
         boolean negative = skip('-');
         if (!negative) {

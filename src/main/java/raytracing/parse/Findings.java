@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * What is said about a scene file: errors, so that its author can mend them all at once, or warnings. Keeps the first in
- * the order of the lines, counts the rest, and so needs as little memory for a million as for a few.
+ * The errors in a scene file, so that its author can correct them all at once, or the warnings. It keeps the first ones in
+ * the order of the lines and counts the others, so a million need as little memory as a few.
  */
 final class Findings {
-    /** Sorts after every line: what concerns the whole file comes last. */
-    private static final int WHOLE_FILE = Integer.MAX_VALUE;
+    /** The line of findings about the whole file, which are listed last. */
+    static final int WHOLE_FILE = Integer.MAX_VALUE;
 
     private final String fileName;
     private final int mostListed;
@@ -25,50 +25,35 @@ final class Findings {
         this.mostListed = mostListed;
     }
 
-    /** The text is only asked for if it will be listed. */
+    /** Adds a finding, whose text is only made if it will be listed. */
     void add(int line, Supplier<String> text) {
-        if (hasRoomFor(line)) {
-            add(line, text.get());
-        } else {
-            count++;
-        }
+        add(line, isListed(line) ? text.get() : "");
     }
 
+    /** Adds a finding after all others of the same line, as those were found further left. */
     void add(int line, String text) {
-        if (hasRoomFor(line)) {
-            insert(line, fileName + ":" + line + ": " + text);
+        if (isListed(line)) {
+            if (first.size() == mostListed) {
+                first.remove(mostListed - 1);
+            }
+            int index = first.size();
+            while (index > 0 && first.get(index - 1).line > line) {
+                index--;
+            }
+            first.add(index, new Finding(line, fileName + (line == WHOLE_FILE ? "" : ":" + line) + ": " + text));
         }
         count++;
     }
 
-    void addForWholeFile(String text) {
-        if (hasRoomFor(WHOLE_FILE)) {
-            insert(WHOLE_FILE, fileName + ": " + text);
-        }
-        count++;
-    }
-
-    private boolean hasRoomFor(int line) {
+    private boolean isListed(int line) {
         return first.size() < mostListed || line < first.get(mostListed - 1).line;
-    }
-
-    /** Behind all of the same line: what stands further right there was found later. */
-    private void insert(int line, String text) {
-        if (first.size() == mostListed) {
-            first.remove(mostListed - 1);
-        }
-        int place = first.size();
-        while (place > 0 && first.get(place - 1).line > line) {
-            place--;
-        }
-        first.add(place, new Finding(line, text));
     }
 
     boolean isEmpty() {
         return count == 0;
     }
 
-    /** A line of text for each, up to as many as may be listed, and one that counts the rest. */
+    /** A line of text for each, up to the most that are listed, and one with the number of the others. */
     List<String> listed() {
         List<String> lines = new ArrayList<>();
         for (Finding finding : first) {

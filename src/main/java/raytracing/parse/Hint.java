@@ -2,20 +2,20 @@ package raytracing.parse;
 
 import java.text.Normalizer;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Says what is probably behind a word that should be a number or a code and is none: commas between values, a remark as
- * other languages have it, a character that only looks like another one. A hint stands in brackets behind the quoted word.
+ * Explains why a word that should be a number or a code probably is none: commas between values, a remark as in other
+ * languages, a character that only looks like another one. A hint stands in brackets after the quoted word.
  */
 final class Hint {
-    private static final String NONE = "";
     private static final String REMARK = " (remarks begin with #)";
     private static final List<String> REMARKS = List.of("//", "/*", "*/", ";", "%", "--", "<!--");
     private static final Pattern SEPARATORS = Pattern.compile("[,;|()\\[\\]{}<>]+");
 
-    /** What bytes become that are no UTF-8. */
+    /** The character that replaces bytes that are no UTF-8. */
     private static final int REPLACEMENT = 0xfffd;
 
     private static final String MINUS_SIGNS = "\u2212\u02d7\u2796";
@@ -24,7 +24,7 @@ final class Hint {
     private Hint() {
     }
 
-    /** About a word that is no number. */
+    /** A hint about a word that is no number. */
     static String about(String word) {
         if (isRemark(word)) {
             return REMARK;
@@ -32,56 +32,40 @@ final class Hint {
         if (isSeparated(word)) {
             return notSeparatedBy(word);
         }
-        for (int i = 0; i < word.length(); i++) {
-            if (!isPlain(word.codePointAt(i))) {
-                return " (" + named(word.codePointAt(i)) + ")";
-            }
-        }
-        return NONE;
+        OptionalInt strange = word.codePoints().filter(character -> !isPlain(character)).findFirst();
+        return strange.isPresent() ? " (" + named(strange.getAsInt()) + ")" : "";
     }
 
-    /** About a word that is no code: values may be glued to it. */
+    /** A hint about a word that is no code; values may follow it without white space. */
     static String aboutCode(String word) {
         String hint = about(word);
         return hint.isEmpty() && SEPARATORS.matcher(word).find() ? notSeparatedBy(word) : hint;
     }
 
-    /** About a line with too few or too many values. */
-    static String about(List<String> values, int most) {
+    /** A hint about a line with too few or too many values. */
+    static String aboutValues(List<String> values, int most) {
         for (String value : values) {
             String hint = value.contains(",") ? notSeparatedBy(",") : about(value);
             if (!hint.isEmpty()) {
                 return hint;
             }
         }
-        return values.size() > most && !DecimalReader.isDecimal(values.get(most)) ? REMARK : NONE;
+        return values.size() > most && !DecimalReader.isDecimal(values.get(most)) ? REMARK : "";
     }
 
     /** Whether a word begins as remarks do in other languages. */
     static boolean isRemark(String word) {
-        for (String beginning : REMARKS) {
-            if (word.startsWith(beginning) && !DecimalReader.isDecimal(word.replaceFirst("^[-;]+", ""))) {
-                return true;
-            }
-        }
-        return false;
+        return REMARKS.stream().anyMatch(word::startsWith) && !DecimalReader.isDecimal(word.replaceFirst("^[-;]+", ""));
     }
 
-    /** Whether decimal numbers, or nothing, stand beside commas and the like. A comma as decimal sign is none of these. */
+    /** Whether only decimal numbers, or nothing, stand between commas or brackets. A comma as decimal sign does not count. */
     static boolean isSeparated(String word) {
-        if (!SEPARATORS.matcher(word).find()
-                || DecimalReader.isDecimal(word.replace(',', '.')) && !word.endsWith(",")) {
-            return false;
-        }
-        for (String part : SEPARATORS.split(word)) {
-            if (!part.isEmpty() && !DecimalReader.isDecimal(part)) {
-                return false;
-            }
-        }
-        return true;
+        boolean isDecimalWithComma = DecimalReader.isDecimal(word.replace(',', '.')) && !word.endsWith(",");
+        return SEPARATORS.matcher(word).find() && !isDecimalWithComma
+            && SEPARATORS.splitAsStream(word).allMatch(part -> part.isEmpty() || DecimalReader.isDecimal(part));
     }
 
-    /** As the first of them says that is in a word. */
+    /** A hint about the first separator in a word. */
     private static String notSeparatedBy(String word) {
         Matcher separators = SEPARATORS.matcher(word);
         separators.find();
@@ -114,14 +98,14 @@ final class Hint {
         return plain.length() == 1 && isPlain(plain.charAt(0)) ? ", write " + plain : "";
     }
 
-    /** A word with plain characters in place of those that only look like them. */
+    /** A word in which plain characters replace those that look like them. */
     static String plain(String word) {
         StringBuilder plain = new StringBuilder();
         word.codePoints().filter(Printable::isVisible).forEach(character -> plain.append(plain(character)));
         return plain.toString();
     }
 
-    /** Wide, narrow, raised and decorated forms are known to Unicode; digits of other scripts and dashes are not. */
+    /** Unicode maps wide, narrow, raised and decorated forms to plain ones, but not digits of other scripts and dashes. */
     private static String plain(int character) {
         if (Character.getType(character) == Character.DASH_PUNCTUATION || MINUS_SIGNS.indexOf(character) >= 0) {
             return "-";

@@ -3,69 +3,49 @@ package raytracing.parse;
 import java.util.Locale;
 
 /**
- * Text of the user as messages show it. What would not be seen, or would move or colour what stands around it on a
- * terminal, is named instead: {@code <U+001B>} for the escape character.
+ * Text of the user as messages show it. Characters that are invisible, or that would move or colour the text around them on
+ * a terminal, are shown by name: {@code <U+001B>} for the escape character.
  */
 public final class Printable {
     /** So many characters of a piece of a file are shown. */
     private static final int LONGEST_QUOTE = 40;
 
-    /** Letters and a symbol by their class in Unicode, but without ink: fillers of Hangul, the blank of Braille. */
+    /** Letters and a symbol by their class in Unicode, but invisible: fillers of Hangul, the blank of Braille. */
     private static final String BLANK_LETTERS = "\u115f\u1160\u3164\uffa0\u2800";
 
     private Printable() {
     }
 
-    /**
-     * A whole text, for instance a message that names a file.
-     *
-     * @param text any
-     * @return the same in one line of visible characters and plain spaces
-     */
+    /** A whole text, for instance a message that names a file, as one line of visible characters and plain spaces. */
     public static String of(String text) {
-        int plain = 0;
-        while (plain < text.length() && text.charAt(plain) >= ' ' && text.charAt(plain) <= '~') {
-            plain++;
-        }
-        if (plain == text.length()) {
-            return text;
-        }
         StringBuilder shown = new StringBuilder();
         for (int i = 0; i < text.length(); i += Character.charCount(text.codePointAt(i))) {
-            append(text.codePointAt(i), shown);
+            shown.append(shown(text.codePointAt(i)));
         }
         return shown.toString();
     }
 
-    /** A piece of a scene file, short enough to read. An accent at its start is named: it would join what is before it. */
+    /** A piece of a scene file, cut if long. An accent at its start is shown by name, as it would join what is before it. */
     static String quote(String piece) {
         StringBuilder shown = new StringBuilder();
         int i = 0;
         while (i < piece.length() && shown.length() < LONGEST_QUOTE) {
             int character = piece.codePointAt(i);
-            if (i == 0 && isAccent(character)) {
-                appendName(character, shown);
-            } else {
-                append(character, shown);
-            }
+            shown.append(i == 0 && isAccent(character) ? name(character) : shown(character));
             i += Character.charCount(character);
         }
         return i < piece.length() ? shown + "..." : shown.toString();
     }
 
-    private static void append(int character, StringBuilder shown) {
-        if (isVisible(character)) {
-            shown.appendCodePoint(character);
-        } else {
-            appendName(character, shown);
-        }
+    private static String shown(int character) {
+        return isVisible(character) ? Character.toString(character) : name(character);
     }
 
-    private static void appendName(int character, StringBuilder shown) {
-        shown.append('<').append(code(character)).append('>');
+    private static String name(int character) {
+        return "<" + code(character) + ">";
     }
 
-    /** As Unicode writes it, for instance U+202E. */
+    /** The character's number as Unicode writes it, for instance U+202E. */
     static String code(int character) {
         String digits = Integer.toHexString(character).toUpperCase(Locale.ROOT);
         return "U+" + "0".repeat(Math.max(0, 4 - digits.length())) + digits;

@@ -1,46 +1,28 @@
 package raytracing.parse;
 
-import java.util.ArrayList;
 import java.util.List;
 
-/** What the user gave is wrong: a scene or a command. Each message is a sentence of one line that says what to mend. */
+/** A scene or a command of the user is wrong. Each message is one line that says what to correct. */
 public final class RayTracerException extends Exception {
     private static final long serialVersionUID = 1;
 
     private final transient List<String> messages;
 
-    /**
-     * Several things are wrong.
-     *
-     * @param messages one line each, at least one; what could not be seen in them is shown as {@link Printable} does
-     */
+    /** Takes at least one message; {@link Printable} shows what would be invisible in them. */
     public RayTracerException(List<String> messages) {
         super(String.join(System.lineSeparator(), printable(messages)));
-        this.messages = List.copyOf(printable(messages));
+        this.messages = printable(messages);
     }
 
-    /**
-     * One thing is wrong.
-     *
-     * @param message one line
-     */
     public RayTracerException(String message) {
         this(List.of(message));
     }
 
     private static List<String> printable(List<String> messages) {
-        List<String> printable = new ArrayList<>();
-        for (String message : messages) {
-            printable.add(Printable.of(message));
-        }
-        return printable;
+        return messages.stream().map(Printable::of).toList();
     }
 
-    /**
-     * What is wrong.
-     *
-     * @return one line each, at least one
-     */
+    /** At least one message, each one line. */
     public List<String> messages() {
         return messages;
     }

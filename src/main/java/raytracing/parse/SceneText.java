@@ -5,11 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * The bytes of a scene file as lines of tokens. Accepts every line end (LF, CRLF, CR), a byte-order mark of UTF-8 or
- * UTF-16, and any bytes at all in a remark: whatever is no text becomes a replacement character, which only matters
- * where a value should stand.
- *
- * <p>A token is a range of bytes and becomes a string only for a message.
+ * The bytes of a scene file as lines of tokens. It accepts every line end (LF, CRLF, CR), a byte-order mark of UTF-8 or
+ * UTF-16, and any bytes in a remark: those that are no text become replacement characters, which only matter where a value
+ * should stand. A token is a range of bytes and becomes a string only for a message.
  */
 final class SceneText {
     private static final byte REMARK = '#';
@@ -21,10 +19,10 @@ final class SceneText {
     /** Ctrl-Z. */
     private static final byte END_OF_FILE = 0x1a;
 
-    /** In bytes: far more of a token than any message shows, for a file without white space may be one token. */
+    /** So many bytes of a token become a string, far more than any message shows: a file without white space is one token. */
     private static final int LONGEST_STRING = 1000;
 
-    /** The first byte of a character of three bytes in UTF-8, and of nothing shorter. */
+    /** The least first byte of a character of three bytes in UTF-8; those of shorter ones are less. */
     private static final int FIRST_OF_THREE = 0xe0;
 
     private final byte[] bytes;
@@ -48,7 +46,7 @@ final class SceneText {
         return first == LARGE_BYTE_ORDER_MARK || first == SMALL_BYTE_ORDER_MARK;
     }
 
-    /** Without the Ctrl-Z, one or more, with which old systems end a text; what stands before them is not touched. */
+    /** The bytes without the Ctrl-Z, one or more, with which old systems end a text. */
     private static byte[] withoutEndOfFile(byte[] bytes) {
         int end = bytes.length;
         for (int i = bytes.length - 1; i >= 0 && (bytes[i] == END_OF_FILE || isPlainWhiteSpace(bytes[i])); i--) {
@@ -65,7 +63,7 @@ final class SceneText {
         lineNumber = 0;
     }
 
-    /** Whether a mark at its start said that it is UTF-16. */
+    /** Whether the file begins with a byte-order mark of UTF-16. */
     boolean isMarkedUtf16() {
         return isMarkedUtf16;
     }
@@ -80,50 +78,53 @@ final class SceneText {
         return position;
     }
 
-    boolean hasMoreLines() {
-        return position < bytes.length;
+    /** Goes to the next line that has a token; false if there is none. */
+    boolean nextLine() {
+        count = 0;
+        while (count == 0 && position < bytes.length) {
+            readLine();
+        }
+        return count > 0;
     }
 
-    /** Goes to the next line, whose tokens end where its remark begins: an empty line has none. */
-    void nextLine() {
+    /** Reads the next line, whose tokens end where its remark begins; an empty line has none. */
+    private void readLine() {
         lineNumber++;
-        count = 0;
         int i = position;
         while (i < bytes.length && !isLineEnd(bytes[i])) {
             int whiteSpace = whiteSpaceLength(i);
             if (whiteSpace > 0) {
                 i += whiteSpace;
             } else if (bytes[i] == REMARK) {
-                i = lineEnd(i);
+                while (i < bytes.length && !isLineEnd(bytes[i])) {
+                    i++;
+                }
             } else {
                 int end = tokenEnd(i);
                 add(i, end);
                 i = end;
             }
         }
-        position = afterLineEnd(i);
+        boolean isPair = i + 1 < bytes.length && bytes[i] == '\r' && bytes[i + 1] == '\n';
+        position = Math.min(isPair ? i + 2 : i + 1, bytes.length);
     }
 
-    /** How many tokens this line has. */
+    /** How many tokens this line has, the code included. */
     int count() {
         return count;
     }
 
-    /** A token of this line, from 0; the beginning of it if it is very long. */
+    /** A token of this line, from 0; only the beginning of a very long one. */
     String token(int i) {
         return token(i, StandardCharsets.UTF_8);
     }
 
-    /** The same with a character for each byte. */
-    String bytesOfToken(int i) {
-        return token(i, StandardCharsets.ISO_8859_1);
-    }
-
-    private String token(int i, Charset charset) {
+    /** The same in another encoding. */
+    String token(int i, Charset charset) {
         return new String(bytes, starts[i], Math.min(ends[i] - starts[i], LONGEST_STRING), charset);
     }
 
-    /** Whether a token of this line has a byte of 0, which no text has. */
+    /** Whether a token of this line has a byte 0, which no text has. */
     boolean hasZeros() {
         for (int token = 0; token < count; token++) {
             for (int i = starts[token]; i < ends[token]; i++) {
@@ -140,19 +141,10 @@ final class SceneText {
         return decimals.read(starts[i], ends[i]);
     }
 
-    /**
-     * The first token of this line as a code of three letters in any case, packed into a number so that no line needs a
-     * string to be recognised; another number if it is no such code.
-     */
-    int code() {
+    /** The first token of this line as a code. */
+    Code code() {
         int start = starts[0];
-        return ends[0] - start == 3
-            ? lowerCase(bytes[start]) << 16 | lowerCase(bytes[start + 1]) << 8 | lowerCase(bytes[start + 2]) : 0;
-    }
-
-    /** Right for letters; what is no letter stays none. */
-    private static int lowerCase(byte letter) {
-        return (letter | 0x20) & 0xff;
+        return ends[0] - start == 3 ? Code.of(bytes[start], bytes[start + 1], bytes[start + 2]) : Code.UNKNOWN;
     }
 
     private void add(int start, int end) {
@@ -173,33 +165,17 @@ final class SceneText {
         return i;
     }
 
-    private int lineEnd(int start) {
-        int i = start;
-        while (i < bytes.length && !isLineEnd(bytes[i])) {
-            i++;
-        }
-        return i;
-    }
-
-    private int afterLineEnd(int i) {
-        boolean isPair = i + 1 < bytes.length && bytes[i] == '\r' && bytes[i + 1] == '\n';
-        return Math.min(isPair ? i + 2 : i + 1, bytes.length);
-    }
-
     private static boolean isLineEnd(byte b) {
         return b == '\n' || b == '\r';
     }
 
-    /** How many bytes the white space at a place has, 0 if there is none. */
+    /** How many bytes the white space at an index has, 0 if there is none. */
     private int whiteSpaceLength(int i) {
         byte b = bytes[i];
-        if (b > ' ') {
-            return 0;
-        }
         if (b < 0) {
             return wideWhiteSpaceLength(i);
         }
-        return isPlainWhiteSpace(b) ? 1 : 0;
+        return b <= ' ' && isPlainWhiteSpace(b) ? 1 : 0;
     }
 
     private static boolean isPlainWhiteSpace(byte b) {
@@ -207,8 +183,8 @@ final class SceneText {
     }
 
     /**
-     * Also the spaces that editors and web pages put in place of a plain one, and a mark left in mid-file. All of them
-     * have two or three bytes in UTF-8, the first of which is never a later byte of something else.
+     * Also the spaces that editors and web pages put in place of a plain one, and a byte-order mark in mid-file. All of
+     * them have two or three bytes in UTF-8, and the first of these is never a later byte of another character.
      */
     private int wideWhiteSpaceLength(int i) {
         int length = (bytes[i] & 0xff) < FIRST_OF_THREE ? 2 : 3;

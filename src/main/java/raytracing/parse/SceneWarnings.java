@@ -1,56 +1,50 @@
 package raytracing.parse;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
-import raytracing.color.Color;
-import raytracing.geometry.Box;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
+import raytracing.surface.Body;
+import raytracing.surface.Surface;
 
 /**
- * Finds what is allowed in a scene as a whole and can hardly be meant. Is told of it while it is read: a walk over a million
- * surfaces afterwards took a tenth of the time of reading them.
+ * Finds things that are allowed in a scene as a whole but are probably mistakes. It collects what it needs while the scene is
+ * read, as a pass over a million surfaces afterwards took a tenth of the time of reading them.
  */
 final class SceneWarnings {
-    /** So many numbers of materials are listed. */
+    /** So many numbers of unused materials are listed. */
     private static final int MOST_NUMBERS = 10;
 
-    /** As many samples along an axis as {@code --samples} takes. */
+    /** The largest number of samples along an axis that {@code --samples} takes. */
     private static final int MOST_SAMPLES = 32;
 
     private final List<Integer> bodiesAroundTheEye = new ArrayList<>();
-    private boolean[] isUsed = new boolean[16];
-    private int materialCount;
+    private final BitSet usedMaterials = new BitSet();
+    private boolean hasAmbientColors;
     private boolean areMaterialsUsedAhead;
     private boolean isEyeKnown;
     private Vector eye = Vector.ZERO;
 
-    /** The next material. */
-    void addMaterial() {
-        materialCount++;
-        if (materialCount > isUsed.length) {
-            isUsed = Arrays.copyOf(isUsed, 2 * isUsed.length);
-        }
+    void addMaterial(Material material) {
+        hasAmbientColors |= !material.ambient().isBlack();
     }
 
-    /** The next surface. */
-    void addSurface(Surface surface, int place) {
+    /** Adds a surface, which is at {@code index} in the scene, after {@code materialCount} materials. */
+    void addSurface(Surface surface, int index, int materialCount) {
         if (surface.material() < materialCount) {
-            isUsed[surface.material()] = true;
+            usedMaterials.set(surface.material());
         } else {
             areMaterialsUsedAhead = true;
         }
         if (isEyeKnown && depth(surface, eye) > 0) {
-            bodiesAroundTheEye.add(place);
+            bodiesAroundTheEye.add(index);
         }
     }
 
-    /** The eye, which most files have before all surfaces. */
+    /** Sets the eye, which comes before all surfaces in most files, and tests the surfaces that came before it. */
     void setEye(Vector position, List<Surface> before) {
         eye = position;
         isEyeKnown = true;
@@ -61,34 +55,21 @@ final class SceneWarnings {
         }
     }
 
-    private static boolean hasAmbientColors(List<Material> materials) {
-        for (Material material : materials) {
-            if (!isBlack(material.ambient())) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private static boolean isBlack(Color color) {
-        return color.red() == 0 && color.green() == 0 && color.blue() == 0;
-    }
-
-    /** Adds all but that of {@link #bodyAroundTheEye}. */
+    /** Adds all warnings but that of {@link #bodyAroundTheEye}. */
     void addTo(Findings warnings, Scene scene, int lineOfSettings) {
-        boolean hasAmbientColors = hasAmbientColors(scene.materials());
         if (!hasAmbientColors && scene.settings().ambientScale() != 1) {
             warnings.add(lineOfSettings, "warning: set: " + scaleOfNothing(scene.settings().ambientScale()));
         }
         if (scene.surfaces().isEmpty()) {
-            warnings.addForWholeFile("warning: no sph, pln or box: the picture shows nothing but the background");
+            warnings.add(Findings.WHOLE_FILE, "warning: no sph, pln or box: the picture shows nothing but the background");
         } else {
             addUnusedMaterials(warnings, scene);
         }
         boolean isLitBySky = hasAmbientColors && scene.settings().ambientScale() > 0
-            && !isBlack(scene.settings().background());
+            && !scene.settings().background().isBlack();
         if (scene.lights().isEmpty() && !isLitBySky) {
-            warnings.addForWholeFile("warning: no lgt: without a light, surfaces show only what they mirror or let through");
+            warnings.add(Findings.WHOLE_FILE,
+                "warning: no lgt: without a light, surfaces show only what they mirror or let through");
         }
     }
 
@@ -103,33 +84,31 @@ final class SceneWarnings {
     private void addUnusedMaterials(Findings warnings, Scene scene) {
         if (areMaterialsUsedAhead) {
             for (Surface surface : scene.surfaces()) {
-                isUsed[surface.material()] = true;
+                usedMaterials.set(surface.material());
             }
         }
-        StringBuilder numbers = new StringBuilder();
-        int unused = 0;
-        for (int i = 0; i < materialCount; i++) {
-            if (!isUsed[i]) {
-                unused++;
-                if (unused <= MOST_NUMBERS) {
-                    numbers.append(unused == 1 ? "" : ", ").append(i + 1);
-                }
-            }
+        int unused = scene.materials().size() - usedMaterials.cardinality();
+        if (unused == 0) {
+            return;
+        }
+        StringBuilder text = new StringBuilder("warning: no surface uses material" + (unused == 1 ? " " : "s "));
+        int material = -1;
+        for (int i = 0; i < Math.min(unused, MOST_NUMBERS); i++) {
+            material = usedMaterials.nextClearBit(material + 1);
+            text.append(i == 0 ? "" : ", ").append(material + 1);
         }
         if (unused > MOST_NUMBERS) {
-            numbers.append(" and ").append(unused - MOST_NUMBERS).append(" more");
+            text.append(" and ").append(unused - MOST_NUMBERS).append(" more");
         }
-        if (unused > 0) {
-            warnings.addForWholeFile("warning: no surface uses material" + (unused == 1 ? " " : "s ") + numbers);
-        }
+        warnings.add(Findings.WHOLE_FILE, text.toString());
     }
 
-    /** The place of the first opaque body in the scene that has the eye inside and no light; -1 if there is none. */
+    /** The index of the first opaque body in the scene that has the eye but no light inside; -1 if there is none. */
     int bodyAroundTheEye(Scene scene) {
-        for (int place : bodiesAroundTheEye) {
-            Surface body = scene.surfaces().get(place);
+        for (int index : bodiesAroundTheEye) {
+            Surface body = scene.surfaces().get(index);
             if (scene.materials().get(body.material()).transparency() == 0 && !holdsALight(body, scene.lights())) {
-                return place;
+                return index;
             }
         }
         return -1;
@@ -145,13 +124,8 @@ final class SceneWarnings {
         return false;
     }
 
-    /** How far a point is below the surface of a body, on it 0, outside below 0. Planes are no bodies. */
+    /** How deep a point is inside a body; a plane has no inside. */
     private static double depth(Surface surface, Vector point) {
-        if (surface instanceof Sphere sphere) {
-            Vector c = sphere.centre();
-            return sphere.radius() - Vector.length(point.x() - c.x(), point.y() - c.y(), point.z() - c.z());
-        }
-        return surface instanceof Box box ? box.edge() / 2 - point.minus(box.centre()).largestPart()
-            : Double.NEGATIVE_INFINITY;
+        return surface instanceof Body body ? body.depth(point) : Double.NEGATIVE_INFINITY;
     }
 }

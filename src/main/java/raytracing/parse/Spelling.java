@@ -9,30 +9,26 @@ public final class Spelling {
     }
 
     /**
-     * The nearest word by single letters put in, left out, replaced, or swapped with the next (Damerau, A technique for
-     * computer detection and correction of spelling errors, 1964; no letter is changed twice).
+     * The nearest word by single letters inserted, left out, replaced, or swapped with the next (Damerau, A technique for
+     * computer detection and correction of spelling errors, 1964; no letter is changed twice); of several the first. None if
+     * more than a third of it would have to change.
      *
-     * @param word as it was written
-     * @param words what can be meant, the likelier first
-     * @return the first of the nearest, if at most a third of it would have to change
+     * @param words that may have been meant, more likely ones first
      */
     public static Optional<String> nearest(String word, List<String> words) {
         Optional<String> nearest = Optional.empty();
         int least = Integer.MAX_VALUE;
         for (String right : words) {
-            int most = right.length() / 3;
-            if (Math.abs(right.length() - word.length()) <= most) {
-                int distance = distance(word, right);
-                if (distance < least && distance <= most) {
-                    least = distance;
-                    nearest = Optional.of(right);
-                }
+            int distance = distance(word, right);
+            if (distance < least && distance <= right.length() / 3) {
+                least = distance;
+                nearest = Optional.of(right);
             }
         }
         return nearest;
     }
 
-    /** The table of the distances of all beginnings. */
+    /** Fills a table of the distances between all beginnings of two words. */
     private static int distance(String from, String to) {
         int[][] table = new int[from.length() + 1][to.length() + 1];
         for (int i = 0; i <= from.length(); i++) {

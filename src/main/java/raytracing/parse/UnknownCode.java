@@ -1,13 +1,12 @@
 package raytracing.parse;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Says what was probably meant by a code that is none: by its spelling, or as other programs of the kind have it. */
+/** Finds out what was probably meant by an unknown code, from its spelling or from the codes of similar programs. */
 final class UnknownCode {
-    /** Each code, and the words that mean it. */
+    /** Each code, and words for it. */
     private static final List<Meaning> CODES = List.of(
         new Meaning("cam", "cam", "camera", "eye", "view"),
         new Meaning("set", "set", "setting", "settings", "general"),
@@ -17,7 +16,7 @@ final class UnknownCode {
         new Meaning("box", "box", "boxes", "cub", "cube"),
         new Meaning("lgt", "lgt", "light", "lamp"));
 
-    /** What no code makes, and the words that would mean it. */
+    /** Things that have no code, and words for them. */
     private static final List<Meaning> NOT_SUPPORTED = List.of(
         new Meaning("triangles", "trg", "tri", "triangle"),
         new Meaning("cylinders", "cyl", "cylinder"),
@@ -29,10 +28,7 @@ final class UnknownCode {
         new Meaning("polygons", "pol", "poly", "polygon"),
         new Meaning("models from other files", "obj", "ply", "stl", "mesh", "model"));
 
-    private static final String EXPECTED_SURFACES = "expected sph, pln or box";
-    private static final String EXPECTED_CODES = "expected cam, set, mtl, sph, pln, box or lgt";
-
-    /** Shorter words are near to too many others: "res" is no misspelt "rec". */
+    /** Shorter words are similar to too many others: "res" is no misspelt "rec". */
     private static final int LONG_ENOUGH = 5;
 
     private record Meaning(String meant, List<String> words) {
@@ -44,36 +40,29 @@ final class UnknownCode {
     private UnknownCode() {
     }
 
-    /** What is wrong with the first word of a line. */
+    /** The message about the first word of a line. */
     static String message(String code) {
         if (Hint.isRemark(code)) {
             return "unknown code, remarks begin with #";
         }
         String word = letters(code);
-        Optional<Meaning> unknown = meaning(word, NOT_SUPPORTED);
-        if (unknown.isPresent()) {
-            return unknown.get().meant + " are not supported, " + EXPECTED_SURFACES;
+        Optional<String> unsupported = meaning(word, NOT_SUPPORTED);
+        if (unsupported.isPresent()) {
+            return unsupported.get() + " are not supported, expected sph, pln or box";
         }
-        Optional<Meaning> known = meaning(word, CODES);
-        return "unknown code" + Hint.aboutCode(code) + ", " + EXPECTED_CODES
-            + (known.isPresent() ? ", did you mean " + known.get().meant + "?" : "");
+        return "unknown code" + Hint.aboutCode(code) + ", expected cam, set, mtl, sph, pln, box or lgt"
+            + meaning(word, CODES).map(known -> ", did you mean " + known + "?").orElse("");
     }
 
-    /** As far as it consists of letters, or of what looks like them: a number may be glued to it. */
+    /** The letters, or characters that look like letters, at the start of a word; a number may follow them. */
     private static String letters(String code) {
         return Hint.plain(code).toLowerCase(Locale.ROOT).replaceFirst("(?<=[a-z])[\\p{ASCII}&&[^a-z]].*", "");
     }
 
-    private static Optional<Meaning> meaning(String word, List<Meaning> meanings) {
-        List<String> words = new ArrayList<>();
-        for (Meaning meaning : meanings) {
-            for (String right : meaning.words) {
-                if (right.equals(word) || meanings == CODES || right.length() >= LONG_ENOUGH) {
-                    words.add(right);
-                }
-            }
-        }
-        return Spelling.nearest(word, words).flatMap(
-            right -> meanings.stream().filter(meaning -> meaning.words.contains(right)).findFirst());
+    private static Optional<String> meaning(String word, List<Meaning> meanings) {
+        List<String> words = meanings.stream().flatMap(meaning -> meaning.words.stream())
+            .filter(right -> right.equals(word) || meanings == CODES || right.length() >= LONG_ENOUGH).toList();
+        return Spelling.nearest(word, words).flatMap(right ->
+            meanings.stream().filter(meaning -> meaning.words.contains(right)).map(Meaning::meant).findFirst());
     }
 }

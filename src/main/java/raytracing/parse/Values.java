@@ -8,14 +8,14 @@ import raytracing.color.Color;
 import raytracing.math.Vector;
 
 /**
- * The values of a scene file, line by line, each line from left to right. A value that may not be what it is becomes a
- * problem, and a harmless stand-in takes its place so that the rest of the line can be checked too.
+ * The values of a scene file, line by line, each line from left to right. A value that is not allowed is reported as a
+ * problem, and an allowed one takes its place, so that the rest of the line can be checked too.
  */
 final class Values {
-    /** Allowed everywhere in the format but for fisheye; the scene it would end up in is never made. */
-    private static final double STAND_IN = 1;
+    /** Replaces a refused number, as it is allowed everywhere in the format; no scene with a refused number is ever made. */
+    private static final double REPLACEMENT = 1;
 
-    /** A colour from here on is more likely counted in bytes than meant. */
+    /** A colour value from here on was more likely meant as one from 0 to 255. */
     private static final double FAR_BEYOND_FULL = 20;
 
     private final SceneText text;
@@ -32,57 +32,33 @@ final class Values {
         this.warnings = warnings;
     }
 
-    /** Goes back to before the first line. */
-    void rewind() {
-        text.rewind();
-    }
-
-    /** Goes to the next line that is not empty; false if there is none. */
+    /** Goes to the next line that has a code; false if there is none. */
     boolean nextLine() {
         next = 1;
         problemsFound = 0;
         areSeparatorsRefused = false;
         isColorDoubted = false;
-        while (text.hasMoreLines()) {
-            text.nextLine();
-            if (text.count() > 0) {
-                return true;
-            }
+        return text.nextLine();
+    }
+
+    /** Whether this line has as many values as its code takes; reports a problem if not. */
+    boolean isComplete(Code code) {
+        boolean complete = code.allows(text.count() - 1);
+        if (!complete) {
+            problem(() -> wrongCount(code));
         }
-        return false;
+        return complete;
     }
 
-    int line() {
-        return text.lineNumber();
-    }
-
-    /** The code of the line, as {@link SceneText#code} packs it. */
-    int code() {
-        return text.code();
-    }
-
-    /** How many values follow the code. */
-    int count() {
-        return text.count() - 1;
-    }
-
-    /** The code (0) or a value (from 1) as the file has it. */
-    String token(int i) {
-        return text.token(i);
-    }
-
-    /** All values of the line as the file has them. */
-    List<String> tokens() {
-        List<String> tokens = new ArrayList<>();
+    private String wrongCount(Code code) {
+        List<String> values = new ArrayList<>();
         for (int i = 1; i < text.count(); i++) {
-            tokens.add(text.token(i));
+            values.add(text.token(i));
         }
-        return tokens;
-    }
-
-    /** A value (from 1) as a decimal number, {@link Double#NaN} if it is none. */
-    double decimal(int i) {
-        return text.decimal(i);
+        int most = code.most();
+        return code.expectation() + ", got " + values.size()
+            + (values.size() > most ? ", first surplus value " + Printable.quote(values.get(most)) : "")
+            + Hint.aboutValues(values, most);
     }
 
     boolean hasMore() {
@@ -101,53 +77,39 @@ final class Values {
         double green = number(name, " green", Range.AT_LEAST_0);
         double blue = number(name, " blue", Range.AT_LEAST_0);
         if (Math.max(red, Math.max(green, blue)) >= FAR_BEYOND_FULL && !isColorDoubted) {
-            doubtColor(name);
+            isColorDoubted = true;              // one warning is enough for a line
+            warnings.add(text.lineNumber(), "warning: " + text.token(0) + ": " + name + " is "
+                + Printable.quote(text.token(next - 3)) + " " + Printable.quote(text.token(next - 2)) + " "
+                + Printable.quote(text.token(next - 1)) + ", and 1 is full: 0 to 1, not 0 to 255?");
         }
         return new Color(red, green, blue);
     }
 
-    /** Once for each line. */
-    private void doubtColor(String name) {
-        isColorDoubted = true;
-        warnings.add(line(), "warning: " + token(0) + ": " + name + " is " + Printable.quote(token(next - 3)) + " "
-            + Printable.quote(token(next - 2)) + " " + Printable.quote(token(next - 1))
-            + ", and 1 is full: 0 to 1, not 0 to 255?");
-    }
-
     int wholeNumber(String name, Range range) {
-        double value = number(name, range);
-        if (value != Math.rint(value)) {
-            refuse(name, range.description(), text.token(next - 1));
-            return (int) STAND_IN;
-        }
-        return (int) value;
+        return (int) number(name, range);
     }
 
     double number(String name, Range range) {
         return number(name, "", range);
     }
 
-    /** The two halves of the name meet only in messages: most numbers need none. */
+    /** The name and the part of it are joined for messages only, which most numbers do not need. */
     private double number(String name, String part, Range range) {
         int i = next++;
         double value = text.decimal(i);
         if (Math.abs(value) < Double.POSITIVE_INFINITY && range.contains(value)) {
             return value;
         }
-        refuseNumber(name + part, value, text.token(i), range);
-        return STAND_IN;
-    }
-
-    /** Where commas or brackets stand beside the values of a line, this is said once. */
-    private void refuseNumber(String name, double value, String token, Range range) {
+        String token = text.token(i);
         boolean isSeparated = Double.isNaN(value) && Hint.isSeparated(token);
-        if (!isSeparated || !areSeparatorsRefused) {
-            refuse(name, expected(value, token, range), token);
+        if (!isSeparated || !areSeparatorsRefused) {        // once for each line
+            refuse(name + part, expected(value, token, range), token);
         }
         areSeparatorsRefused |= isSeparated;
+        return REPLACEMENT;
     }
 
-    /** What a number should have been that is none, or too large, or out of range. */
+    /** What was expected instead of a token that is no number, or one too large, or out of range. */
     private static String expected(double value, String token, Range range) {
         if (Double.isNaN(value)) {
             boolean hasComma = !Hint.isSeparated(token) && DecimalReader.isDecimal(token.replace(',', '.'));
@@ -165,18 +127,18 @@ final class Values {
         return word.equals("true");
     }
 
-    /** Says what a value must be instead of what it is. */
+    /** Reports what a value must be, and what it is. */
     void refuse(String name, String expected, String got) {
         problem(() -> name + " must be " + expected + ", got " + Printable.quote(got) + Hint.about(got));
     }
 
-    /** How many values of this line were refused so far, and replaced by stand-ins. */
+    /** How many values of this line were refused so far, and replaced. */
     int problemsFound() {
         return problemsFound;
     }
 
     void problem(Supplier<String> message) {
         problemsFound++;
-        problems.add(line(), () -> Printable.quote(token(0)) + ": " + message.get());
+        problems.add(text.lineNumber(), () -> Printable.quote(text.token(0)) + ": " + message.get());
     }
 }

@@ -1,2 +1,2 @@
-/** Scene text in, {@link raytracing.scene.Scene} out, or sentences that say what to mend. */
+/** Scene text in, {@link raytracing.scene.Scene} out, or messages that say what to correct. */
 package raytracing.parse;

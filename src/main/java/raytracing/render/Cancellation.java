@@ -1,68 +1,60 @@
 package raytracing.render;
 
-/**
- * The wish that a picture be drawn no further. Any thread may have it, at any time, once; whoever draws answers when it
- * draws no more.
- */
+/** Ends a drawing early. Thread-safe: any thread may request it; the thread that draws confirms that it has stopped. */
 public final class Cancellation {
     private volatile boolean requested;
-    private boolean isDrawn;
-    private boolean answered;
+    private boolean isDrawing;
+    private boolean hasEnded;
 
-    /** Asks whoever draws to stop. They do after the pixel at hand, and nobody waits long for a slow one. */
+    /** Stops the drawing after the pixels that are being drawn; slow ones are not waited for long. */
     public void request() {
         requested = true;
     }
 
-    /**
-     * Whether somebody asked.
-     *
-     * @return true from then on
-     */
+    /** Whether the drawing is to stop or has stopped. */
     public boolean isRequested() {
         return requested;
     }
 
-    /** A part of the picture is drawn from now on: soon after a request, {@link #answer} or {@link #drawn} is called. */
-    synchronized void drawing() {
-        isDrawn = true;
+    /** Marks the start of a part of the drawing, which ends soon after a request. */
+    synchronized void beginDrawing() {
+        isDrawing = true;
     }
 
-    /** That part is drawn no more, cancelled or not. */
-    synchronized void drawn() {
-        isDrawn = false;
+    /** Marks the end of that part, cancelled or not. */
+    synchronized void endDrawing() {
+        isDrawing = false;
         notifyAll();
     }
 
-    /** Nothing is drawn any more; what remains to be done is worth waiting for. */
-    synchronized void answer() {
-        answered = true;
+    /** Ends the wait of {@link #awaitEnd}: all drawing has ended, and what is still to be done is worth waiting for. */
+    synchronized void confirmEnd() {
+        hasEnded = true;
         notifyAll();
     }
 
     /**
-     * Waits until nothing is drawn any more. What is drawn answers soon, however long that is on a busy machine; what is done
-     * before and between may take seconds.
+     * Waits until all drawing has ended. While a part is drawn there is no limit, because it ends soon, in processor time;
+     * but what is done before and between the parts may take seconds.
      *
-     * @param milliseconds for how long at most to wait for that, at least 1
-     * @return false if there was no answer
-     * @throws InterruptedException if the wait is interrupted
+     * @param milliseconds for how long at most to wait while nothing is drawn, at least 1
+     * @return false if the end was not confirmed
      */
-    public synchronized boolean awaitAnswer(long milliseconds) throws InterruptedException {
+    public synchronized boolean awaitEnd(long milliseconds) throws InterruptedException {
         long deadline = System.nanoTime() + 1_000_000 * milliseconds;
-        for (long left = milliseconds; !answered && (isDrawn || left > 0);
+        for (long left = milliseconds; !hasEnded && (isDrawing || left > 0);
                 left = (deadline - System.nanoTime()) / 1_000_000) {
-            wait(isDrawn ? 0 : left);
+            wait(isDrawing ? 0 : left);
         }
-        return answered;
+        return hasEnded;
     }
 
-    /** What becomes of the tiles that are finished then. */
+    /** What happens to the tiles that are finished when a drawing is cancelled. */
     public enum Leftovers {
-        /** Nothing: there is no picture. */
+        /** They are lost: there is no picture. */
         DISCARD,
 
-        /** They are the picture, if there is one; the rest is gaps. */
+        /** They are the picture, if there are any; the rest is gaps. */
         KEEP
     }
 }

@@ -1,10 +1,10 @@
 package raytracing.render;
 
-/** There is no picture, because somebody asked for that. */
+/** There is no picture, because its drawing was cancelled. */
 public final class CancelledException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    CancelledException() {
+    public CancelledException() {
         super("cancelled");
     }
 }

@@ -1,18 +1,18 @@
 package raytracing.render;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.film.Bands;
 import raytracing.film.Film;
 import raytracing.shade.RayCounts;
 
 /**
- * A picture in the making. Bands are drawn when they are asked for, by as many threads as the settings say while the
- * calling one waits. How far it is, any thread may ask at any time.
+ * A picture that is drawn band by band. {@link #band} draws a band on as many threads as the settings say, while the calling
+ * thread waits. Other threads may read how far the drawing is.
  */
 public final class Drawing implements Bands {
-    /** Largest number of pixels on a film: with what smooth edges need beside, 240 MB. */
+    /** Most pixels on the film of a band: 240 MB with what smooth edges need in addition. */
     static final int MOST_PIXELS_IN_A_BAND = 1 << 22;
 
     private final Renderer renderer;
@@ -27,20 +27,26 @@ public final class Drawing implements Bands {
     private long nanoseconds;
     private boolean isPartial;
 
+    /** A drawing of the region of the renderer's settings, not begun; the listener gets the pixels as they are drawn. */
+    public Drawing(Renderer renderer, Cancellation cancellation, Cancellation.Leftovers leftovers, DrawingListener listener) {
+        this(renderer, bandHeight(renderer.settings().region(), renderer.settings().tileSize()), cancellation, leftovers,
+            listener);
+    }
+
     /** With bands of a given height. */
-    Drawing(Renderer renderer, RenderSettings settings, int bandHeight, Cancellation cancellation,
-            Cancellation.Leftovers leftovers, DrawingListener listener) {
+    Drawing(Renderer renderer, int bandHeight, Cancellation cancellation, Cancellation.Leftovers leftovers,
+            DrawingListener listener) {
         this.renderer = renderer;
-        this.settings = settings;
         this.bandHeight = bandHeight;
         this.cancellation = cancellation;
         this.leftovers = leftovers;
         this.listener = listener;
+        settings = renderer.settings();
         region = settings.region();
         progress = new Progress(region.pixelCount(), settings.sampling());
     }
 
-    /** All rows if so many are allowed, else whole tiles. */
+    /** All rows if a band may have so many pixels, otherwise as many whole tiles as it may have. */
     static int bandHeight(Region region, int tileSize) {
         if (region.pixelCount() <= MOST_PIXELS_IN_A_BAND) {
             return region.height();
@@ -67,147 +73,99 @@ public final class Drawing implements Bands {
     /**
      * Draws a band.
      *
-     * @param index of the band, counted from 0 at the top
-     * @return the band; if the drawing was cancelled and leftovers are kept, with gaps that show the background
-     * @throws CancelledException if the drawing was cancelled and leftovers are discarded, or there are none
+     * @param index counted from 0 at the top
+     * @return if the drawing was cancelled and leftovers are kept, with gaps that show the background
+     * @throws CancelledException if the drawing was cancelled and leftovers are discarded, or no pixel is finished
      * @throws IllegalStateException if a pixel failed, which is a defect of this program; names the pixel
      */
     @Override
     public Film band(int index) {
-        cancellation.drawing();
-        try {
-            return drawBand(index);
-        } finally {
-            if (leftovers == Cancellation.Leftovers.DISCARD) {
-                cancellation.drawn();        // a picture to be kept is awaited while its bands are written, too
-            }
-        }
-    }
-
-    private Film drawBand(int index) {
         long start = System.nanoTime();
         int top = region.top() + index * bandHeight;
         Region part = new Region(region.left(), top, region.right(), (int) Math.min(region.bottom(), (long) top + bandHeight));
-        lookCoarsely(part);
-        Exposure exposure = settings.sampling().root() == 1
-            ? oneRayEach(part) : new SmoothEdges(renderer, settings).draw(part, this);
-        if (!exposure.unfinished().isEmpty()) {
-            cancellation.answer();
-            leaveGaps(exposure, part);
+        cancellation.beginDrawing();
+        try {
+            for (int edge : listener.coarseLooks()) {
+                pass(part, edge, CoarseLook.of(part, edge, listener));
+            }
+            return draw(part);
+        } finally {
+            nanoseconds += System.nanoTime() - start;
+            if (leftovers == Cancellation.Leftovers.DISCARD) {
+                cancellation.endDrawing();        // a picture to be kept is waited for while its bands are written, too
+            }
+        }
+    }
+
+    private Film draw(Region part) {
+        PixelSampling sampling = settings.sampling();
+        if (sampling.root() == 1) {
+            OneRayEach painter = OneRayEach.of(part, progress, listener);
+            return finish(part, painter.film(), painter);
+        }
+        if (sampling.where() == PixelSampling.Where.EVERYWHERE) {
+            return smooth(part, new Film(part.width(), part.height()), Optional.empty());
+        }
+        Region filmed = part.withNeighbours(settings.width(), settings.height());
+        OneRayEach first = OneRayEach.findingEdges(part, filmed, progress, listener);
+        pass(filmed, settings.tileSize(), first);
+        return smooth(part, first.filmOfPart(), Optional.of(first));
+    }
+
+    private Film smooth(Region part, Film film, Optional<OneRayEach> first) {
+        return finish(part, film, new SmoothEdges(part, film, first, progress, listener));
+    }
+
+    /** The last pass over a part; returns the film, if there is to be one, with gaps in place of the unfinished tiles. */
+    private Film finish(Region part, Film film, PixelPainter painter) {
+        List<Region> unfinished = pass(part, settings.tileSize(), painter);
+        if (!unfinished.isEmpty()) {
+            cancellation.confirmEnd();
+            if (leftovers == Cancellation.Leftovers.DISCARD || progress.finished() == 0) {
+                throw new CancelledException();
+            }
+            isPartial = true;
+            for (Region tile : unfinished) {
+                leaveGap(film, part, tile);
+            }
         } else if (leftovers == Cancellation.Leftovers.KEEP && part.bottom() == region.bottom()) {
-            cancellation.answer();           // all is there but the file
+            cancellation.confirmEnd();           // only the file is still to be written
         }
-        nanoseconds += System.nanoTime() - start;
-        return exposure.film();
+        return film;
     }
 
-    private void lookCoarsely(Region part) {
-        for (int edge : listener.coarseLooks()) {
-            TileQueue squares = new TileQueue(part, edge);
-            List<CoarsePass> workers = new ArrayList<>();
-            for (int i = 0; i < settings.threads(); i++) {
-                workers.add(new CoarsePass(renderer, squares, this));
-            }
-            run(workers);
-        }
+    /** One pass over a part; returns the tiles that are not finished because the drawing was cancelled. */
+    private List<Region> pass(Region part, int tileSize, PixelPainter painter) {
+        TileQueue tiles = new TileQueue(part, tileSize);
+        counts = counts.plus(new TilePass(tiles, painter, cancellation).run(renderer));
+        return tiles.unfinished();
     }
 
-    private Exposure oneRayEach(Region part) {
-        Film film = new Film(part.width(), part.height());
-        TileQueue tiles = new TileQueue(part, settings.tileSize());
-        List<OneRayPass> workers = new ArrayList<>();
-        for (int i = 0; i < settings.threads(); i++) {
-            workers.add(new OneRayPass(renderer, tiles, film, part, this));
-        }
-        run(workers);
-        return new Exposure(film, tiles.unfinished());
-    }
-
-    /** Lets workers work until they are done or the drawing is cancelled. */
-    void run(List<? extends TileWorker> workers) {
-        Crew.run(workers, cancellation);
-        for (TileWorker worker : workers) {
-            counts = counts.plus(worker.counts());
-        }
-    }
-
-    private void leaveGaps(Exposure exposure, Region part) {
-        if (leftovers == Cancellation.Leftovers.DISCARD || progress.finished() == 0) {
-            throw new CancelledException();
-        }
-        isPartial = true;
-        Color background = renderer.background();
-        for (Region tile : exposure.unfinished()) {
-            for (int y = tile.top(); y < tile.bottom(); y++) {
-                for (int x = tile.left(); x < tile.right(); x++) {
-                    exposure.film().leaveGap(x - part.left(), y - part.top(), background);
-                }
+    private void leaveGap(Film film, Region part, Region tile) {
+        Color background = renderer.scene().settings().background();
+        for (int y = tile.top(); y < tile.bottom(); y++) {
+            for (int x = tile.left(); x < tile.right(); x++) {
+                film.leaveGap(x - part.left(), y - part.top(), background);
             }
         }
     }
 
-    Cancellation cancellation() {
-        return cancellation;
-    }
-
-    Progress progress() {
+    /** How far the drawing is; for any thread. */
+    public Progress progress() {
         return progress;
     }
 
-    DrawingListener listener() {
-        return listener;
-    }
-
-    /**
-     * How far the picture is, in rays of the eye. With smooth edges an estimate.
-     *
-     * @return from 0 to 1
-     */
-    public double share() {
-        return progress.share();
-    }
-
-    /**
-     * Whether the picture has gaps, because the drawing was cancelled. To be asked when all bands are drawn.
-     *
-     * @return true if some pixels were not finished
-     */
+    /** Whether the picture has gaps, because the drawing was cancelled; known when all bands are drawn. */
     public boolean isPartial() {
         return isPartial;
     }
 
-    /**
-     * How many pixels are what they will be.
-     *
-     * @return of all bands drawn so far
-     */
-    public long finishedPixels() {
-        return progress.finished();
-    }
-
-    /**
-     * How many pixels got N x N rays so far, where N is above 1.
-     *
-     * @return of all bands drawn so far
-     */
-    public long refinedPixels() {
-        return progress.refined();
-    }
-
-    /**
-     * What the finished tiles of the bands took. To be asked by the thread that asked for them.
-     *
-     * @return numbers of rays by kind, the same for every number of threads
-     */
+    /** What the finished tiles of the bands took, the same for every number of threads; for the thread that draws them. */
     public RayCounts counts() {
         return counts;
     }
 
-    /**
-     * How long the bands took. To be asked by the thread that asked for them.
-     *
-     * @return wall time in nanoseconds
-     */
+    /** How long the bands took to draw, wall time; for the thread that draws them. */
     public long nanoseconds() {
         return nanoseconds;
     }

@@ -3,48 +3,38 @@ package raytracing.render;
 import raytracing.color.Color;
 import raytracing.film.Film;
 
-/** Is told what a picture looks like while it is drawn, by several threads at once, each about other pixels. */
+/** Gets the pixels of a picture as they are drawn. Several threads call it at once, each about other pixels. */
 public interface DrawingListener {
-    /** Looks away. */
-    DrawingListener NONE = new Nobody();
+    /** Does nothing. */
+    DrawingListener NONE = new DrawingListener() {
+    };
 
     /**
-     * How coarse the first looks at a band are, each before the next and all before its tiles: one pixel in each square
-     * is drawn only to be shown.
+     * The coarse looks at a band that come before its tiles, one after the other. Each draws one pixel in every square of
+     * pixels, only to be shown.
      *
-     * @return edges of the squares in pixels, the coarsest first; empty, as it is unless said otherwise, if there is no need
+     * @return edges of the squares in pixels, the coarsest first; empty by default
      */
     default int[] coarseLooks() {
         return new int[0];
     }
 
     /**
-     * A first look at some pixels, for those who asked for such looks.
+     * Shows a square of a coarse look.
      *
-     * @param square of them; coordinates of the whole picture
-     * @param light of one of them
+     * @param square in coordinates of the whole picture
+     * @param light of the pixel in its middle
      */
     default void showSquare(Region square, Color light) {
-        throw new IllegalStateException("no coarse look was asked for");
     }
 
     /**
-     * Pixels as they are in the picture, or, where edges are smoothed, as one ray sees them before.
+     * Shows a tile: its final pixels, or, where edges are smoothed, first what one ray through each pixel sees.
      *
-     * @param tile of them; coordinates of the whole picture
-     * @param film that they are on
-     * @param filmed what the film shows; coordinates of the whole picture
+     * @param tile in coordinates of the whole picture
+     * @param film with the tile's pixels
+     * @param filmed the part of the picture that the film shows
      */
-    void showTile(Region tile, Film film, Region filmed);
-
-    /** Nobody looks. */
-    final class Nobody implements DrawingListener {
-        private Nobody() {
-        }
-
-        @Override
-        public void showTile(Region tile, Film film, Region filmed) {
-            // not looked at
-        }
+    default void showTile(Region tile, Film film, Region filmed) {
     }
 }

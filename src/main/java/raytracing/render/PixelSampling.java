@@ -1,7 +1,7 @@
 package raytracing.render;
 
 /**
- * How many rays of the eye a pixel gets, and through which places.
+ * How many rays of the eye a pixel gets, and where they go through it.
  *
  * <p>Ray (i, j) goes through the cell of column i and row j of the pixel's N x N cells. Along x its place is
  * (N - 1 - j + 1/2) / N of the cell, along y (i + 1/2) / N: so each of N^2 columns and each of N^2 rows holds one place,
@@ -16,24 +16,12 @@ public record PixelSampling(int root, Where where) {
     /** The exercise's one ray, through the centre of the pixel. */
     public static final PixelSampling ONE_RAY = new PixelSampling(1, Where.EDGES);
 
-    /**
-     * Where ray (i, j) goes through the pixel.
-     *
-     * @param i column of its cell, in [0, N)
-     * @param j row of its cell, in [0, N)
-     * @return distance from the pixel's left edge, in pixels
-     */
+    /** Distance of ray (i, j) from the pixel's left edge, in pixels; i and j in [0, N). */
     public double placeX(int i, int j) {
         return (i + (root - 1 - j + 0.5) / root) / root;
     }
 
-    /**
-     * Where ray (i, j) goes through the pixel.
-     *
-     * @param i column of its cell, in [0, N)
-     * @param j row of its cell, in [0, N)
-     * @return distance from the pixel's upper edge, in pixels
-     */
+    /** Distance of ray (i, j) from the pixel's upper edge, in pixels; i and j in [0, N). */
     public double placeY(int i, int j) {
         return (j + (i + 0.5) / root) / root;
     }

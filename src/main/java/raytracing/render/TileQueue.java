@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Deals out the tiles of a part of a picture to whichever thread asks next, and keeps a list of those that are finished.
+ * Deals the tiles of a part of a picture, each to one thread, and keeps a list of those that are finished. Thread-safe.
  *
  * <p>Neighbours are dealt far apart: after each tile comes the one that lies the golden section of all of them further
- * on, so that at any time the tiles dealt are spread evenly over the part (Weyl's sequence), and the share that is
- * done says how long the rest will take.
+ * on. So the tiles dealt are spread evenly over the part at any time (Weyl's sequence), and the share that is done says
+ * how long the rest will take.
  */
 final class TileQueue {
     private static final double GOLDEN_SECTION = 0.6180339887498949;
@@ -29,7 +29,7 @@ final class TileQueue {
         this.tileSize = tileSize;
         columns = tilesIn(part.width());
         count = Math.multiplyExact(columns, tilesIn(part.height()));
-        stride = coprime(Math.max(1, (int) Math.round(GOLDEN_SECTION * count)));
+        stride = strideFrom(Math.max(1, (int) Math.round(GOLDEN_SECTION * count)));
         finished = new BitSet(count);
     }
 
@@ -37,20 +37,16 @@ final class TileQueue {
         return (int) (((long) length + tileSize - 1) / tileSize);
     }
 
-    /** The least number from one on that has no divisor in common with the count: multiples of it reach every tile. */
-    private int coprime(int least) {
-        int candidate = least;
-        while (greatestCommonDivisor(candidate, count) > 1) {
-            candidate++;
-        }
-        return candidate;
+    /** The first number from {@code least} on without a divisor in common with the count: its multiples reach every tile. */
+    private int strideFrom(int least) {
+        return greatestCommonDivisor(least, count) == 1 ? least : strideFrom(least + 1);
     }
 
     private static int greatestCommonDivisor(int a, int b) {
         return b == 0 ? a : greatestCommonDivisor(b, a % b);
     }
 
-    /** A tile that nobody else gets, or none if all are dealt. */
+    /** The next tile, or none if all are dealt. */
     Optional<Region> next() {
         long i = dealt.getAndIncrement();
         return i < count ? Optional.of(tile((int) (i * stride % count))) : Optional.empty();
@@ -63,17 +59,17 @@ final class TileQueue {
             (int) Math.min(part.bottom(), (long) top + tileSize));
     }
 
-    /** No more tiles for anybody. */
+    /** Deals no more tiles. */
     void close() {
         dealt.set(count);
     }
 
-    /** Every pixel of this tile is what it will be. */
+    /** Marks a tile whose pixels are all final. */
     synchronized void finish(Region tile) {
         finished.set((tile.top() - part.top()) / tileSize * columns + (tile.left() - part.left()) / tileSize);
     }
 
-    /** The tiles that are not finished yet; what those that are look like is seen by whoever asks. */
+    /** The tiles that are not finished yet; the caller sees all pixels of the others (happens-before). */
     synchronized List<Region> unfinished() {
         List<Region> tiles = new ArrayList<>();
         for (int i = finished.nextClearBit(0); i < count; i = finished.nextClearBit(i + 1)) {

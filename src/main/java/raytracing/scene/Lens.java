@@ -1,5 +1,5 @@
 package raytracing.scene;
 
-/** How the camera bends light between the scene and the screen. */
+/** The lens of the camera. */
 public sealed interface Lens permits Pinhole, Fisheye {
 }

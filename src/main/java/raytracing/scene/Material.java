@@ -12,6 +12,6 @@ import raytracing.color.Color;
  * @param transparency in [0, 1]: 0 opaque, 1 shows only what is behind and what is mirrored
  * @param ambient share of the room's ambient light that is added
  */
-public record Material(Color diffuse, Color specular, Color reflection,
-                       double phongExponent, double transparency, Color ambient) {
+public record Material(Color diffuse, Color specular, Color reflection, double phongExponent, double transparency,
+                       Color ambient) {
 }

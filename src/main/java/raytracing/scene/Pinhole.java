@@ -1,5 +1,5 @@
 package raytracing.scene;
 
-/** No lens at all: straight lines of the scene stay straight on the screen. */
+/** No lens: straight lines of the scene are straight on the screen. */
 public record Pinhole() implements Lens {
 }

@@ -1,2 +1,2 @@
-/** What a scene file says, checked and immutable: no text, nothing derived, nothing cached. */
+/** The contents of a scene file, checked and immutable: no text, nothing derived, nothing cached. */
 package raytracing.scene;

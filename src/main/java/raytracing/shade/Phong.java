@@ -11,13 +11,11 @@ final class Phong {
      * Factor on the specular colour: the light's specular intensity times max(0, R.V)^n. As a mirror is its own
      * inverse, R.V, the light's mirror image against the eye, is also L.M, the light against the eye's mirror image.
      *
-     * @param intensity of the light's highlights, at least 0
      * @param cosine L.M; a rounding beyond 1 counts as 1
-     * @param exponent of the material, at least 0
      * @return at least 0, finite
      */
     static double highlight(double intensity, double cosine, double exponent) {
-        double facing = cosine > 0 ? Math.min(cosine, 1) : 0;    // this way round, NaN from a light too far away is 0
+        double facing = cosine > 0 ? Math.min(cosine, 1) : 0;    // 0 also if it is NaN, as of a light too far away
         return intensity * Powers.power(facing, exponent);
     }
 }

@@ -1,5 +1,2 @@
-/**
- * What light does at a surface: Phong's model, mirrors, transparency, soft shadows, and the room's ambient light. A pure
- * function of scene, ray and key.
- */
+/** The light that a surface sends along a ray: Phong's model, mirrors, transparency, shadows and ambient light. */
 package raytracing.shade;

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import raytracing.MeasuredProcess;
+import raytracing.RayTracer;
 import raytracing.timed.ProcessCost;
 import raytracing.timed.Spread;
 

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import raytracing.ambient.AmbientLight;
 import raytracing.film.Film;
 import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
-import raytracing.shade.AmbientLight;
 
 /**
  * One question asked of one scene.
@@ -33,7 +33,7 @@ record FamilyStudy(Family family, Reference reference, List<Measurement> measure
             progress.in(family.title()));
         List<Setting> all = family.settings(scene, budget);
         List<Rounds.Drawn> drawn = Rounds.of(
-            all.stream().map(setting -> new Renderer(scene, setting.in(settings))).toList(), budget,
+            all.stream().map(setting -> Renderers.of(scene, setting.in(settings))).toList(), budget,
             progress.in(family.title()));
         List<Measurement> measurements = new ArrayList<>();
         for (int i = 0; i < all.size(); i++) {
@@ -50,7 +50,7 @@ record FamilyStudy(Family family, Reference reference, List<Measurement> measure
         for (int i = 0; i < halves.size(); i++) {
             progress.say("reference, " + halves.get(i).title());
             RenderSettings ofHalf = halves.get(i).in(settings).withSeed(SEEDS_OF_HALVES.get(i));
-            films.add(new Renderer(scene, ofHalf).inAmbientLight(ambientLight).render());
+            films.add(Renderers.film(Renderers.inAmbientLight(Renderers.of(scene, ofHalf), ambientLight)));
         }
         double milliseconds = (System.nanoTime() - start) / NANOSECONDS_IN_MILLISECOND;
         return Reference.of(films.get(0), films.get(1), milliseconds / halves.size());

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import raytracing.RayTracer;
+import raytracing.Steps;
 import raytracing.parse.RayTracerException;
 
 /** Draws scenes in every way there is, and writes a page that sets the time of each way beside its error. */
@@ -36,7 +36,7 @@ public final class Report {
     private static void run(Request request) throws RayTracerException, IOException {
         Fonts.check();
         for (Path scene : request.scenes()) {
-            RayTracer.parseScene(scene);           // what is wrong with the last one is said before the first is drawn
+            Steps.parseScene(scene);           // what is wrong with the last one is said before the first is drawn
         }
         prepare(request.folder());
         List<SceneStudy> studies = studies(request.scenes(), request.budget());
@@ -60,7 +60,7 @@ public final class Report {
         for (Path scene : scenes) {
             Progress progress = Progress.of(studies.size() + 1, scenes.size(), SceneStudy.title(scene));
             if (studies.isEmpty()) {
-                WarmUp.run(RayTracer.parseScene(scene), SceneStudy.settings(budget), progress);
+                WarmUp.run(Steps.parseScene(scene), SceneStudy.settings(budget), progress);
             }
             studies.add(SceneStudy.of(scene, budget, progress));
         }

@@ -36,7 +36,7 @@ final class Rounds {
             for (int i = 0; i < contenders.size(); i++) {
                 progress.say("round " + (round + 1) + ", setting " + (i + 1) + " of " + contenders.size());
                 long start = System.nanoTime();
-                Rendering rendering = contenders.get(i).draw();
+                Rendering rendering = Rendering.of(contenders.get(i));
                 times.get(i).add((System.nanoTime() - start) / NANOSECONDS_IN_MILLISECOND);
                 if (round == 0) {
                     renderings.add(rendering);

@@ -3,9 +3,9 @@ package raytracing.report;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.Locale;
+import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
 import raytracing.film.Film;
-import raytracing.shade.AmbientLight;
 
 /** The part of the page about one scene. */
 final class SceneSection {
@@ -38,7 +38,7 @@ final class SceneSection {
         Color mean = light.mean();
         return light.isNone() ? "" : "<p>" + Html.escaped(String.format(Locale.ROOT,
             "Ambient light of %s, estimated from the room at %d places: in the mean red %.3f, green %.3f, blue %.3f.",
-            study.title(), light.placeCount(), mean.red(), mean.green(), mean.blue())) + "</p>\n";
+            study.title(), light.recordCount(), mean.red(), mean.green(), mean.blue())) + "</p>\n";
     }
 
     private String heading(String rest) {

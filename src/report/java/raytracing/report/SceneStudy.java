@@ -5,12 +5,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import raytracing.RayTracer;
+import raytracing.Steps;
+import raytracing.ambient.AmbientLight;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
-import raytracing.shade.AmbientLight;
 
 /**
  * Everything that was found out about one scene.
@@ -26,9 +26,9 @@ import raytracing.shade.AmbientLight;
 record SceneStudy(String title, Scene scene, AmbientLight ambientLight, List<FamilyStudy> families,
                   List<SpeedUps.Row> sampledSpeedUps, List<SpeedUps.Row> exactSpeedUps, List<ColdRuns.Row> coldRuns) {
     static SceneStudy of(Path file, Budget budget, Progress progress) throws IOException, RayTracerException {
-        Scene scene = RayTracer.parseScene(file);
+        Scene scene = Steps.parseScene(file);
         RenderSettings settings = settings(budget);
-        AmbientLight ambientLight = new Renderer(scene, settings).ambientLight();
+        AmbientLight ambientLight = Renderers.of(scene, settings).ambientLight();
         List<FamilyStudy> families = new ArrayList<>();
         for (Family family : Family.values()) {
             if (family.concerns(scene)) {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /**
  * One way to draw any scene.

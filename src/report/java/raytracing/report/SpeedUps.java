@@ -9,10 +9,11 @@ import java.util.Map;
 import java.util.Set;
 import raytracing.Films;
 import raytracing.Quantiles;
-import raytracing.compiled.Shortcut;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
+import raytracing.trace.Shortcut;
 
 /** What a scene takes with and without each of the shortcuts, none of which may change a bit of the film. */
 final class SpeedUps {
@@ -36,7 +37,7 @@ final class SpeedUps {
     static List<Row> measured(Scene scene, RenderSettings settings, Budget budget, Progress progress) {
         Map<String, Set<Shortcut>> selections = selections();
         List<Renderer> renderers = selections.values().stream()
-            .map(shortcuts -> new Renderer(scene, settings, shortcuts)).toList();
+            .map(shortcuts -> Renderers.withShortcuts(scene, settings, shortcuts)).toList();
         List<Rounds.Drawn> drawn = Rounds.of(renderers, budget, progress.in("Speed-ups"));
         List<String> titles = List.copyOf(selections.keySet());
         Rounds.Drawn all = drawn.get(0);

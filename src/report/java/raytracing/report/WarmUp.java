@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
 
 /** Draws for a while what nobody looks at: else the first scene would pay for the compilation of all. */
@@ -17,10 +18,10 @@ final class WarmUp {
         progress.say("warming up");
         List<Renderer> renderers = Stream.of(
                 Setting.sampled(1), Setting.sampled(4), Setting.exact(), Setting.atEdges(2), Setting.everywhere(2))
-            .map(setting -> new Renderer(scene, setting.in(settings))).toList();
+            .map(setting -> Renderers.of(scene, setting.in(settings))).toList();
         long start = System.nanoTime();
         while (System.nanoTime() - start < NANOSECONDS) {
-            renderers.forEach(Renderer::render);
+            renderers.forEach(Renderers::film);
         }
     }
 }

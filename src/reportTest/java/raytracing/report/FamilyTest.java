@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import raytracing.parallel.Preparation;
 import raytracing.parse.SceneParser;
-import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 
 class FamilyTest {

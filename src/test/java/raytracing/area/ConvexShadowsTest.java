@@ -42,11 +42,11 @@ class ConvexShadowsTest {
 
         void addTo(ConvexShadows shadows, double size) {
             if (gate.isEmpty()) {
-                shadows.beginFigure(transmittance);
+                shadows.beginFigure(transmittance, 1);
             } else {
-                shadows.beginAllButFigure(transmittance);
+                shadows.beginFigure(1, transmittance);
                 shadows.addLine(gate.get(0).a(), gate.get(0).b(), size * gate.get(0).c());
-                shadows.exceptFigure();
+                shadows.beginOutline();
             }
             lines.forEach(line -> shadows.addLine(line.a(), line.b(), size * line.c()));
         }
@@ -124,7 +124,7 @@ class ConvexShadowsTest {
     })
     void aHalfPlaneTakesItsPart(String why, double a, double b, double c, double passing, double expected) {
         shadows.clear(1, 1);
-        shadows.beginFigure(passing);
+        shadows.beginFigure(passing, 1);
         shadows.addLine(a, b, c);
         assertEquals(expected, shadows.share(), 1e-16, why);
     }
@@ -143,9 +143,9 @@ class ConvexShadowsTest {
     void allButAFigureTakesTheRestOnItsSideOfTheGate(String why, double a, double b, double c, double passing,
                                                      double expected) {
         shadows.clear(1, 1);
-        shadows.beginAllButFigure(passing);
+        shadows.beginFigure(1, passing);
         shadows.addLine(a, b, c);
-        shadows.exceptFigure();
+        shadows.beginOutline();
         shadows.addLine(1, 0, 0);
         shadows.addLine(0, 1, 0.5);
         shadows.addLine(0, -1, 0.5);
@@ -162,9 +162,9 @@ class ConvexShadowsTest {
             double first = random.nextDouble();
             double second = random.nextDouble();
             shadows.clear(1, 1);
-            shadows.beginFigure(first);
+            shadows.beginFigure(first, 1);
             shadows.addLine(1, 0, width - 1);
-            shadows.beginFigure(second);
+            shadows.beginFigure(second, 1);
             shadows.addLine(0, -1, height - 1);
             assertEquals((1 - (1 - first) * width / 2) * (1 - (1 - second) * height / 2), shadows.share(), 1e-15);
         }
@@ -231,9 +231,9 @@ class ConvexShadowsTest {
             double angle = random.nextDouble(2 * Math.PI);
             double c = random.nextDouble(-0.5, 0.5);
             shadows.clear(1, 1);
-            shadows.beginFigure(0);
+            shadows.beginFigure(0, 1);
             shadows.addLine(Math.cos(angle), Math.sin(angle), c);
-            shadows.beginFigure(0);
+            shadows.beginFigure(0, 1);
             shadows.addLine(-Math.cos(angle), -Math.sin(angle), overlap - c);
             assertEquals(0, shadows.share(), 1e-15);
         }
@@ -268,7 +268,7 @@ class ConvexShadowsTest {
                 double z = r + random.nextDouble() * size;
                 shadows.balls().add(x, y, z, r, random.nextDouble());
                 shadows.discs().addThroughPlane(x, y, size, r / 2, r / 2, random.nextDouble());
-                shadows.beginFigure(random.nextDouble());
+                shadows.beginFigure(random.nextDouble(), 1);
                 shadows.addLine(random.nextDouble(-1, 1), random.nextDouble(-1, 1),
                     random.nextDouble(-1, 1) * ratio * size);
             }
@@ -281,10 +281,10 @@ class ConvexShadowsTest {
     @Test
     void aShadowAroundAFigureMayHaveSeveralBorders() {
         shadows.clear(1, 1);
-        shadows.beginAllButFigure(0);
+        shadows.beginFigure(1, 0);
         shadows.addLine(1, 0, 0);
         shadows.addLine(0, 1, 0);
-        shadows.exceptFigure();
+        shadows.beginOutline();
         shadows.addLine(-1, 0, 0.5);
         shadows.addLine(0, -1, 0.5);
         assertEquals(1 - 0.25 + 0.0625, shadows.share(), 1e-16);
@@ -293,8 +293,8 @@ class ConvexShadowsTest {
     @Test
     void aShadowAroundAFigureMayHaveNoBorder() {
         shadows.clear(1, 1);
-        shadows.beginAllButFigure(0.5);
-        shadows.exceptFigure();
+        shadows.beginFigure(1, 0.5);
+        shadows.beginOutline();
         shadows.addLine(1, 0, 0);
         assertEquals(0.75, shadows.share(), 1e-16);
     }

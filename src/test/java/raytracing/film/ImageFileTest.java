@@ -167,8 +167,8 @@ class ImageFileTest {
         assertFalse(ImageFormat.ofEnding(name).isPresent());
     }
 
-    /** Rows of a film, some at a time; keeps a list of what was asked for. */
-    private record Cut(Film film, int bandHeight, List<Integer> asked) implements Bands {
+    /** Rows of a film, some at a time; keeps a list of the bands that were read. */
+    private record Cut(Film film, int bandHeight, List<Integer> read) implements Bands {
         @Override
         public int width() {
             return film.width();
@@ -181,7 +181,7 @@ class ImageFileTest {
 
         @Override
         public Film band(int index) {
-            asked.add(index);
+            read.add(index);
             int top = index * bandHeight;
             return film.part(0, top, film.width(), Math.min(bandHeight, film.height() - top));
         }
@@ -200,9 +200,9 @@ class ImageFileTest {
     @ParameterizedTest
     @EnumSource
     void everyBandIsAskedForOnce(ImageFormat format) throws IOException {
-        List<Integer> asked = new ArrayList<>();
-        new ImageFile(folder.resolve("picture"), format).write(new Cut(film(), 1, asked));
-        assertEquals(List.of(0, 1, 2, 3), asked.stream().sorted().toList());
+        List<Integer> read = new ArrayList<>();
+        new ImageFile(folder.resolve("picture"), format).write(new Cut(film(), 1, read));
+        assertEquals(List.of(0, 1, 2, 3), read.stream().sorted().toList());
     }
 
     @Test

@@ -3,16 +3,16 @@ package raytracing.fuzz;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import java.util.Optional;
+import raytracing.parallel.Preparation;
 import raytracing.parse.ParsedScene;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.progress.Preparation;
 import raytracing.scene.Scene;
 
 /**
- * What the parser owes to any bytes at all: a scene whose numbers are those the format allows, or messages that somebody
- * can read; and the same answer for the same text with other line ends, or with a mark before it. Nothing is asked of its
- * time here: whoever runs this on many files gives up on one that does not end.
+ * What the parser must return for any bytes: a scene with numbers in the ranges of the format, or readable messages; and the
+ * same result for the same text with other line ends, or with a byte order mark. Its time is not limited here: a caller with
+ * many files gives up on one that does not end.
  */
 public final class AnyBytes {
     private static final String FILE = "any.txt";
@@ -23,7 +23,7 @@ public final class AnyBytes {
     }
 
     /**
-     * Holds the parser to it.
+     * Checks that.
      *
      * @param bytes of a file
      * @throws AssertionError if they get something else; names what
@@ -65,7 +65,8 @@ public final class AnyBytes {
             claim(message.startsWith(FILE + ":") && message.length() > FILE.length() + 2, "no name of the file", message);
             claim(message.codePoints().allMatch(AnyBytes::isVisible), "not one line of visible text", message);
             claim(message.length() <= LONGEST_MESSAGE, "too long to read", message);
-            claim(message.contains(": warning: ") || answer.scene.isEmpty() || message.endsWith(" more"), "no warning", message);
+            claim(message.contains(": warning: ") || answer.scene.isEmpty() || message.endsWith(" more"), "no warning",
+                message);
         }
     }
 

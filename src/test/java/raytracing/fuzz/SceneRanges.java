@@ -1,10 +1,6 @@
 package raytracing.fuzz;
 
 import raytracing.color.Color;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
@@ -12,6 +8,10 @@ import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /** The ranges that the format gives to a scene's numbers. */
 final class SceneRanges {
@@ -41,7 +41,7 @@ final class SceneRanges {
         if (camera.lens() instanceof Fisheye fisheye) {
             within("k", fisheye.k(), -1, 1);
         }
-        direction("right", camera.basis().u());
+        direction("right", camera.right());
     }
 
     private static void check(Settings settings) {

@@ -1,2 +1,2 @@
-/** What the scene parser owes to any bytes at all, and the inputs that it is held to it with. */
+/** What the scene parser must return for any bytes, and the inputs with which that is checked. */
 package raytracing.fuzz;

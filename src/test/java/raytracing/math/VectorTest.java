@@ -17,11 +17,11 @@ class VectorTest {
 
     @Test
     void sumAndDifferenceWorkPartByPart() {
-        assertEquals(new Vector(5, 3, -3), A.plus(B));
+        assertEquals(new Vector(5, 3, -3), Vectors.plus(A, B));
         assertEquals(new Vector(-3, -7, 9), A.minus(B));
-        assertEquals(new Vector(-1, 2, -3), A.negated());
+        assertEquals(new Vector(-1, 2, -3), Vectors.negated(A));
         assertEquals(new Vector(2, -4, 6), A.times(2));
-        assertEquals(new Vector(9, 8, -9), A.plus(2, B));
+        assertEquals(new Vector(9, 8, -9), Vectors.plus(A, 2, B));
     }
 
     @Test

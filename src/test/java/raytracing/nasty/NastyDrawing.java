@@ -4,10 +4,10 @@ import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
 
-/** Draws nasty scenes, small, and says what is wrong with the picture. */
+/** Draws small pictures of nasty scenes and finds what is wrong with them. */
 final class NastyDrawing {
     /** Edge of the picture in pixels. */
     static final int SIZE = 16;
@@ -15,7 +15,7 @@ final class NastyDrawing {
     private NastyDrawing() {
     }
 
-    /** What is wrong with the picture of a scene: something thrown, or a pixel that is not light. */
+    /** The defect of a picture, if there is one: an exception, or a pixel that is no finite light of at least 0. */
     static Optional<String> defect(NastyScene scene) {
         return defect(scene.scene(), scene.settings());
     }
@@ -23,7 +23,7 @@ final class NastyDrawing {
     /** The same of any scene. */
     static Optional<String> defect(Scene scene, RenderSettings settings) {
         try {
-            return defect(new Renderer(scene, settings).render());
+            return defect(Renderers.film(scene, settings));
         } catch (RuntimeException | StackOverflowError thrown) {
             return Optional.of(thrown.toString());
         }

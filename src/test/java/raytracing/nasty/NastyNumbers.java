@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleSupplier;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
  * The numbers of one nasty scene. Lengths and places come in one of several habits, so that some scenes are small
@@ -76,7 +77,7 @@ final class NastyNumbers {
         if (!places.isEmpty() && below(10) < 6) {
             place = places.get(below(places.size()));
             if (oneIn(2)) {
-                place = finite(place.plus(coordinate() * (oneIn(2) ? 1 : 0.5), axis()));
+                place = finite(Vectors.plus(place, coordinate() * (oneIn(2) ? 1 : 0.5), axis()));
             }
         }
         places.add(place);

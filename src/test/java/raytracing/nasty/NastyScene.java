@@ -2,22 +2,22 @@ package raytracing.nasty;
 
 import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
-import raytracing.compiled.ShadowMode;
+import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.progress.Preparation;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
 import raytracing.scene.Scene;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
+import raytracing.trace.ShadowMode;
 
 /**
- * A scene that the format allows and nobody would write: sizes from the least double to 1e300, many at once; surfaces that
- * coincide, touch, or lie in each other; eye and lamps on surfaces and in one place; mirrors that brighten; colours,
- * exponents and lamps beyond measure.
+ * A scene that the format allows and that no person would write: sizes from the least double to 1e300, many at once;
+ * surfaces that coincide, touch, or lie in each other; eye and lamps on surfaces and in one place; mirrors that brighten;
+ * colours, exponents and lamps of any size.
  *
- * <p>What a picture may cost is limited to what somebody might expect in five seconds, for an N of 1024, a thousand
- * reflections and sixty surfaces at once are 10^11 questions for a pixel. So N is at most such that the shadow rays that
+ * <p>What a picture may cost is limited to about five seconds, for an N of 1024, a thousand reflections and sixty surfaces
+ * at once are 10^11 tests of a surface for a pixel. So N is at most such that the shadow rays that
  * a picture could need, times the surfaces, stay within 6 10^8 where lengths are ordinary (1024 with one lamp and two
  * surfaces) and 2 10^7 elsewhere. A hall whose surfaces are transparent mirrors, where the rays of every pixel may meet the
  * 4096 surfaces that the program allows them, is drawn with one ray for each pixel and has few surfaces and lamps: 11

@@ -4,18 +4,18 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import raytracing.math.Vector;
+import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.progress.Preparation;
 
 /** Writes the text of a {@link NastyScene}. */
 final class NastySceneWriter {
     private static final int PIXELS = NastyDrawing.SIZE * NastyDrawing.SIZE;
 
-    /** Questions whether a line meets a surface that the shadow rays of a picture may have. */
+    /** How many tests of a shadow ray against a surface a picture may take. */
     private static final double MOST_QUESTIONS = 2e7;
 
-    /** The same where lengths are ordinary, and so answers quick: an N of 1024 with one lamp and two surfaces. */
+    /** The same where lengths are ordinary, so that tests are quick: an N of 1024 with one lamp and two surfaces. */
     private static final double MOST_ORDINARY_QUESTIONS = 6e8;
 
     /** Of each of the 10^4 to 10^5 rays of an estimate of ambient light, however small the picture is. */

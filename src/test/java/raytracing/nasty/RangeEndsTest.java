@@ -16,17 +16,17 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.SceneText;
 import raytracing.color.Color;
-import raytracing.compiled.ShadowMode;
 import raytracing.film.Film;
+import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.progress.Preparation;
 import raytracing.render.PixelSampling;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
-import raytracing.render.Renderer;
+import raytracing.render.Renderers;
 import raytracing.scene.Scene;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
+import raytracing.trace.ShadowMode;
 
 /**
  * Every number of every line at the ends of the range of doubles, as a scene file may have it: alone and with every other
@@ -108,7 +108,7 @@ class RangeEndsTest {
     }
 
     private static Film film(String... lines) {
-        return new Renderer(SceneText.scene(lines), ODD).render();
+        return Renderers.film(SceneText.scene(lines), ODD);
     }
 
     private static String[] ahead(String camera, double unit) {

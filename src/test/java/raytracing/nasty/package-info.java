@@ -1,2 +1,2 @@
-/** Scenes that are in order and made to hurt: drawn by the thousand, to see that every pixel is a number. */
+/** Valid scenes with extreme numbers, drawn by the thousand, to see that every pixel is finite light. */
 package raytracing.nasty;

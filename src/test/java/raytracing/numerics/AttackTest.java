@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
@@ -12,10 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import raytracing.geometry.Departure;
-import raytracing.geometry.Ray;
-import raytracing.geometry.SurfaceQuestions;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
+import raytracing.surface.Departure;
+import raytracing.surface.RayOrigin;
+import raytracing.surface.RayRecord;
+import raytracing.surface.SurfaceQuestions;
 
 /**
  * More than 200 000 random rays in more than 50 families that look for wrong decisions, each judged by exact
@@ -29,8 +30,7 @@ class AttackTest {
     private static final int JOINTS = 2_000;
 
     static Stream<Named<Family>> families() {
-        return Stream.<Family[]>of(SphereAttack.values(), PlaneAttack.values(), BoxAttack.values())
-            .flatMap(Arrays::stream)
+        return Stream.of(SphereAttack.FAMILIES, PlaneAttack.FAMILIES, BoxAttack.FAMILIES).flatMap(List::stream)
             .map(family -> Named.of(family.shape() + " " + family.title(), family));
     }
 
@@ -73,7 +73,8 @@ class AttackTest {
         Formula ours = family.shape().ours().formula();
         Failures.assertNone(family.queries(SEED, RAYS).stream()
             .filter(query -> SurfaceQuestions.firstCrossing(family.shape().surface(query),
-                new Ray(query.origin(), 0, query.direction(), Ray.NO_SURFACE, Departure.ELSEWHERE), Departure.ELSEWHERE)
+                new RayRecord(query.origin(), 0, query.direction(), RayOrigin.NO_SURFACE, Departure.ELSEWHERE),
+                    Departure.ELSEWHERE)
                 != ours.firstCrossing(query))
             .map(Query::toString));
     }
@@ -108,7 +109,7 @@ class AttackTest {
     @Test
     void aSphereIsMissedFrom10To32Away() {
         Vector origin = new Vector(1.7962615744215671E31, -1.354625218141938E32, 1.0144961202872982E32);
-        assertFound(Formula.MISS, Shape.SPHERE, new Query(origin, origin.negated(),
+        assertFound(Formula.MISS, Shape.SPHERE, new Query(origin, Vectors.negated(origin),
             new Vector(-0.143742082316189, 0.9237471519376259, -0.7209398003196479), 2.9077969390601143E-5));
     }
 

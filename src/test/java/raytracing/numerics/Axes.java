@@ -3,6 +3,7 @@ package raytracing.numerics;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** The parts of a vector by number: 0 is x, 1 is y, 2 is z. And the changes of axes that change no answer. */
 final class Axes {
@@ -16,7 +17,7 @@ final class Axes {
     static final List<UnaryOperator<Vector>> MIRRORS = List.of(
         v -> new Vector(-v.x(), v.y(), v.z()), v -> new Vector(v.x(), -v.y(), v.z()),
         v -> new Vector(v.x(), v.y(), -v.z()), v -> new Vector(-v.x(), -v.y(), v.z()),
-        v -> new Vector(-v.x(), v.y(), -v.z()), v -> new Vector(v.x(), -v.y(), -v.z()), Vector::negated);
+        v -> new Vector(-v.x(), v.y(), -v.z()), v -> new Vector(v.x(), -v.y(), -v.z()), Vectors::negated);
 
     private Axes() {
     }

@@ -1,5 +1,6 @@
 package raytracing.numerics;
 
+
 /** Ways to meet a box, the simplest first. */
 public enum BoxAlgorithm implements Algorithm {
     TEXTBOOK("textbook", "slabs from two corners, products with 1 / d, Math.min and Math.max",
@@ -7,7 +8,7 @@ public enum BoxAlgorithm implements Algorithm {
     ORDERED("ordered", "the same with ordered comparisons, which drop a NaN", BoxWitnesses::reciprocalOrdered),
     DIVISION("division", "slabs from two corners, quotients, a test for d = 0", BoxWitnesses::division),
     COMPENSATED("compensated", "quotients of compensated sums centre - o -/+ half edge", BoxWitnesses::compensated),
-    OURS("ours", "BoxKernel", ProductAlgorithms.BOX),
+    OURS("ours", "Box", ProductAlgorithms.BOX),
     DOUBLE_DOUBLE("double-double", "every operation with 106 bits", BoxWitnesses::doubleDouble);
 
     private final String title;

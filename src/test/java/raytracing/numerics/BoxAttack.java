@@ -1,55 +1,38 @@
 package raytracing.numerics;
 
+import java.util.List;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Rays at boxes that look for the weak places of a kernel. */
-enum BoxAttack implements Family {
-    /** Edge about 10^-3, box and origin about 10^12 away from the world's origin. */
-    FAR_AND_SMALL("small and far from the world's origin", BoxAttack::farAndSmall),
-    /** Through an edge or a corner exactly, or but for a few ulps of one number. */
-    EDGE_BUT_FOR_ULPS("through an edge but for ulps", BoxAttack::edgeButForUlps),
-    /** Along a face, an edge or through a corner of a grid of tenths. */
-    TENTHS("a grid of tenths", BoxAttack::tenths),
-    /** Origin exactly on a face, an edge or a corner, or but for a few ulps of one number. */
-    ON_BUT_FOR_ULPS("on the box but for ulps", BoxAttack::onButForUlps),
-    /** A part of the direction is below 10^-300, down to the smallest double. */
-    SUBNORMAL_PART("subnormal part of the direction", BoxAttack::subnormalPart),
-    /** Edge and distance each between 2^-60 and 2^60. */
-    MIXED("mixed sizes", BoxAttack::mixed),
-    /** Direction 10^-160 to 10^160 long. */
-    SPEED("any length of the direction", BoxAttack::speed),
-    /** All lengths times 10^-200 to 10^200, and the direction. */
-    UNITS("any unit of length", BoxAttack::units),
-    /** All parts of the direction are subnormal, all lengths so small that crossings are not. */
-    SLOW("subnormal direction", BoxAttack::slow),
-    /** Crossings at the ends of the doubles and beyond. */
-    ENDS("crossings at the ends of the range", BoxAttack::ends);
+final class BoxAttack {
+    static final List<Family> FAMILIES = List.of(
+        // edge about 10^-3, box and origin about 10^12 away from the world's origin
+        new Attack(Shape.BOX, "small and far from the world's origin", BoxAttack::farAndSmall),
+        // through an edge or a corner exactly, or but for a few ulps of one number
+        new Attack(Shape.BOX, "through an edge but for ulps", BoxAttack::edgeButForUlps),
+        // along a face, an edge or through a corner of a grid of tenths
+        new Attack(Shape.BOX, "a grid of tenths", BoxAttack::tenths),
+        // origin exactly on a face, an edge or a corner, or but for a few ulps of one number
+        new Attack(Shape.BOX, "on the box but for ulps", BoxAttack::onButForUlps),
+        // a part of the direction is below 10^-300, down to the smallest double
+        new Attack(Shape.BOX, "subnormal part of the direction", BoxAttack::subnormalPart),
+        // edge and distance each between 2^-60 and 2^60
+        new Attack(Shape.BOX, "mixed sizes", BoxAttack::mixed),
+        // direction 10^-160 to 10^160 long
+        new Attack(Shape.BOX, "any length of the direction", BoxAttack::speed),
+        // all lengths times 10^-200 to 10^200, and the direction
+        new Attack(Shape.BOX, "any unit of length", BoxAttack::units),
+        // all parts of the direction are subnormal, all lengths so small that crossings are not
+        new Attack(Shape.BOX, "subnormal direction", BoxAttack::slow),
+        // crossings at the ends of the doubles and beyond
+        new Attack(Shape.BOX, "crossings at the ends of the range", BoxAttack::ends));
 
-    private final String title;
-    private final Recipe recipe;
-
-    BoxAttack(String title, SurfaceSource surface) {
-        this.title = title;
-        this.recipe = new Recipe(1, RandomNumbers::line, surface);
-    }
-
-    @Override
-    public Shape shape() {
-        return Shape.BOX;
-    }
-
-    @Override
-    public String title() {
-        return title;
-    }
-
-    @Override
-    public Recipe recipe() {
-        return recipe;
+    private BoxAttack() {
     }
 
     private static Query around(RandomNumbers random, Vector point, double edge, double halfEdges, Line line) {
-        return line.with(point.plus(edge / 2, random.vector(halfEdges)), edge);
+        return line.with(Vectors.plus(point, edge / 2, random.vector(halfEdges)), edge);
     }
 
     private static Query ordinary(RandomNumbers random, Line line) {
@@ -58,7 +41,7 @@ enum BoxAttack implements Family {
 
     private static Query farAndSmall(RandomNumbers random, Line line) {
         Vector place = random.direction().times(random.magnitude(38, 42));
-        Line far = new Line(line.origin().plus(place), line.direction());
+        Line far = new Line(Vectors.plus(line.origin(), place), line.direction());
         double edge = random.magnitude(-12, -8);
         return around(random, far.at(random.between(1, 20)), edge, random.oneIn(2) ? 1.2 : 0x1p5, far);
     }
@@ -75,7 +58,7 @@ enum BoxAttack implements Family {
         Line line = new Line(random.eighths(8), random.eighths(1));
         double edge = random.powerOfTwo(-3, 4);
         Vector point = line.at(random.powerOfTwo(-3, 7));
-        return random.besideByUlps(line.with(point.plus(towardsCentre(random, edge / 2)), edge));
+        return random.besideByUlps(line.with(Vectors.plus(point, towardsCentre(random, edge / 2)), edge));
     }
 
     private static Query onButForUlps(RandomNumbers random, Line line) {
@@ -86,7 +69,7 @@ enum BoxAttack implements Family {
             case 1 -> Axes.withPart(line.direction(), random.axis(), random.zero());
             default -> Axes.withPart(line.direction(), random.axis(), random.sign() * random.magnitude(-1074, -40));
         };
-        return random.besideByUlps(new Query(origin, direction, origin.plus(towardsCentre(random, edge / 2)), edge));
+        return random.besideByUlps(new Query(origin, direction, Vectors.plus(origin, towardsCentre(random, edge / 2)), edge));
     }
 
     private static Query tenths(RandomNumbers random, Line unused) {

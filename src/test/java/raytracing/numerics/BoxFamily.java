@@ -1,6 +1,7 @@
 package raytracing.numerics;
 
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Rays and boxes. Unless it says otherwise: a unit direction, coordinates up to about 30, edge 1 to 8. */
 public enum BoxFamily implements Family {
@@ -50,7 +51,7 @@ public enum BoxFamily implements Family {
 
     private static Line farLine(RandomNumbers random) {
         Line line = random.line();
-        return new Line(line.origin().plus(random.magnitude(10, 27), random.direction()), line.direction());
+        return new Line(Vectors.plus(line.origin(), random.magnitude(10, 27), random.direction()), line.direction());
     }
 
     private static Line axisLine(RandomNumbers random) {
@@ -74,7 +75,7 @@ public enum BoxFamily implements Family {
 
     /** A box around a point that lies beside its middle by up to so many half edges. */
     private static Query around(RandomNumbers random, Vector point, double edge, double halfEdges, Line line) {
-        return line.with(point.plus(edge / 2, random.vector(halfEdges)), edge);
+        return line.with(Vectors.plus(point, edge / 2, random.vector(halfEdges)), edge);
     }
 
     private static Query ordinary(RandomNumbers random, Line line) {
@@ -117,7 +118,7 @@ public enum BoxFamily implements Family {
 
     private static Query edgeOrCorner(RandomNumbers random, Line line, Vector halfEdgesToTheCentre) {
         double edge = random.powerOfTwo(0, 3);
-        return line.with(line.at(random.powerOfTwo(1, 5)).plus(edge / 2, halfEdgesToTheCentre), edge);
+        return line.with(Vectors.plus(line.at(random.powerOfTwo(1, 5)), edge / 2, halfEdgesToTheCentre), edge);
     }
 
     private static Query onAFace(RandomNumbers random, Line line) {

@@ -1,5 +1,7 @@
 package raytracing.numerics;
 
+import raytracing.surface.Box;
+
 /** Box formulas that lose, and one that wins at any price: what ours is measured against. */
 final class BoxWitnesses {
     private static final DoubleDouble EVER = DoubleDouble.of(Double.POSITIVE_INFINITY);

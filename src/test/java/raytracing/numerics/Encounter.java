@@ -7,20 +7,22 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import raytracing.color.Color;
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.RayWalk;
-import raytracing.compiled.ShadowMode;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Ray;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Camera;
 import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.RayRecord;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.Queries;
+import raytracing.trace.RayQuery;
+import raytracing.trace.ShadowMode;
 
 /**
  * A ray among several surfaces, some of which it meets at the same place or nearly so.
@@ -58,8 +60,8 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
 
     /** The order in which the product walks. */
     public List<Integer> walkedOrder() {
-        RayWalk walk = new RayWalk(compiled(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
-        walk.start(new Ray(origin, direction));
+        RayQuery walk = new RayQuery(compiled(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
+        Queries.start(walk, new RayRecord(origin, direction));
         List<Integer> order = new ArrayList<>();
         while (walk.advance()) {
             order.add(walk.surface());
@@ -95,11 +97,11 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
             : new Query(origin, direction, ((Box) surface).centre(), ((Box) surface).edge());
     }
 
-    CompiledScene compiled(ShadowMode mode) {
+    PreparedScene compiled(ShadowMode mode) {
         List<Surface> seen = IntStream.range(0, surfaces.size())
             .mapToObj(i -> withMaterial(surfaces.get(i), Math.min(i, MOST_TOLD_APART - 1))).toList();
-        Camera unused = new Camera(origin, origin.plus(direction), Vector.ZERO, 1, 1, new Pinhole());
-        return new CompiledScene(new Scene(unused, new Settings(Color.BLACK, 1, 1, 0), MATERIALS, seen, List.of()), mode);
+        Camera unused = new Camera(origin, Vectors.plus(origin, direction), Vector.ZERO, 1, 1, new Pinhole());
+        return Queries.prepared(new Scene(unused, new Settings(Color.BLACK, 1, 1, 0), MATERIALS, seen, List.of()), mode);
     }
 
     private static Surface withMaterial(Surface surface, int material) {

@@ -2,11 +2,11 @@ package raytracing.numerics;
 
 import java.math.BigDecimal;
 import java.util.Optional;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * The first crossing of a ray with a surface, as the real number that it is: (p + s sqrt(D)) / q. So any two are

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracing.math.ExactVector;
 import raytracing.math.Vector;
+import raytracing.surface.Plane;
 
 /** Who tests the oracles? Cases solved by hand, and tables that somebody else worked out. */
 class ExactSurfacesTest {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.math.ExactVector;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Random queries are as hard as their family's name says. */
 class FamiliesTest {
@@ -84,7 +85,7 @@ class FamiliesTest {
     private static double besideAFace(Query query) {
         ExactVector fromCentre = ExactVector.of(query.origin()).minus(ExactVector.of(query.vector()));
         return Stream.of(new Vector(1, 0, 0), new Vector(0, 1, 0), new Vector(0, 0, 1))
-            .flatMap(axis -> Stream.of(axis, axis.negated()))
+            .flatMap(axis -> Stream.of(axis, Vectors.negated(axis)))
             .mapToDouble(face -> ExactBox.distanceToFace(fromCentre, face, ExactBox.half(query.scalar())).doubleValue())
             .min().orElseThrow();
     }

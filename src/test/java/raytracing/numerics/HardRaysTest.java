@@ -6,6 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** The product's crossings against exact arithmetic, on random rays that are hard for one reason each. */
 class HardRaysTest {
@@ -41,7 +42,8 @@ class HardRaysTest {
     void aRayThatTouchesASphereHitsIt(double x, double y, double z, double dx, double dy, double dz, double r) {
         Vector centre = new Vector(100, -200, 300);
         Vector direction = new Vector(dx, dy, dz);
-        Query touching = new Query(centre.plus(new Vector(x, y, z)).plus(-64, direction), direction, centre, r);
+        Query touching = new Query(Vectors.plus(Vectors.plus(centre, new Vector(x, y, z)), -64, direction), direction,
+            centre, r);
         Query passing = new Query(touching.origin(), direction, centre, Math.nextDown(r));
         Formula ours = Shape.SPHERE.ours().formula();
         assertTrue(ours.firstCrossing(touching) == 64, touching::toString);

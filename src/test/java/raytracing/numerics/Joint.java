@@ -1,10 +1,10 @@
 package raytracing.numerics;
 
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.RayWalk;
-import raytracing.compiled.ShadowLine;
-import raytracing.geometry.HitPoint;
 import raytracing.math.Vector;
+import raytracing.surface.Hit;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.RayQuery;
+import raytracing.trace.SegmentQuery;
 
 /**
  * A point that a walk has reached, kept while walks and lines go on from there. The one place of these tests that knows
@@ -12,11 +12,11 @@ import raytracing.math.Vector;
  *
  * @param point the product's
  */
-record Joint(HitPoint point) {
+record Joint(Hit point) {
     /** A copy of the walk's point. */
-    static Joint reachedBy(RayWalk walk) {
-        HitPoint copy = new HitPoint();
-        copy.take(walk.point());
+    static Joint reachedBy(RayQuery walk) {
+        Hit copy = new Hit();
+        copy.set(walk.hit());
         return new Joint(copy);
     }
 
@@ -35,12 +35,12 @@ record Joint(HitPoint point) {
     }
 
     /** Starts a walk from here, as a mirrored ray does. */
-    void start(RayWalk walk, Vector direction) {
-        walk.start(point.place(), direction.x(), direction.y(), direction.z());
+    void start(RayQuery walk, Vector direction) {
+        walk.start(point.origin(), direction.x(), direction.y(), direction.z());
     }
 
     /** How much light comes here from a point. */
-    double transmittance(CompiledScene scene, Vector end) {
-        return new ShadowLine(scene).transmittance(point, end.x(), end.y(), end.z(), 0);
+    double transmittance(PreparedScene scene, Vector end) {
+        return new SegmentQuery(scene).transmittance(point, end.x(), end.y(), end.z(), 0);
     }
 }

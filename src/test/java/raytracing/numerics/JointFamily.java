@@ -6,10 +6,11 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Surface;
 
 /** Rays that reach a place where surfaces meet. */
 public enum JointFamily implements EncounterFamily {
@@ -94,7 +95,7 @@ public enum JointFamily implements EncounterFamily {
         Vector direction = Axes.withPart(new Vector(random.sign(), random.sign(), random.sign()), axis, third);
         boolean beside = random.oneIn(3);
         Vector step = direction.times(random.between(0, 0.5) * half);
-        return new Encounter(beside ? middle.plus(step) : middle, direction.times(random.between(0.5, 2)),
+        return new Encounter(beside ? Vectors.plus(middle, step) : middle, direction.times(random.between(0.5, 2)),
             room.apply(middle, half));
     }
 
@@ -117,6 +118,6 @@ public enum JointFamily implements EncounterFamily {
     private static Surface cube(Vector middle, double half, int axis, int place) {
         Vector row = Axes.withPart(Vector.ZERO, (axis + 1) % 3, place / 3 - 1);
         Vector step = Axes.withPart(row, (axis + 2) % 3, place % 3 - 1);
-        return new Box(middle.plus(2 * half, step), 2 * half, 0);
+        return new Box(Vectors.plus(middle, 2 * half, step), 2 * half, 0);
     }
 }

@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.RayWalk;
-import raytracing.compiled.ShadowMode;
-import raytracing.geometry.Box;
-import raytracing.geometry.Ray;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
+import raytracing.surface.Box;
+import raytracing.surface.RayRecord;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.Queries;
+import raytracing.trace.RayQuery;
+import raytracing.trace.ShadowMode;
 
 /**
  * A point that a ray has reached lies in front of every surface that it touches. So a line of light from there to
@@ -23,9 +25,9 @@ final class JointRule {
 
     private final Encounter encounter;
     private final RandomNumbers random;
-    private final CompiledScene scene;
-    private final CompiledScene opaque;
-    private final RayWalk walk;
+    private final PreparedScene scene;
+    private final PreparedScene opaque;
+    private final RayQuery walk;
     private final List<Optional<JointSide>> sides = new ArrayList<>();
     private final List<String> faults = new ArrayList<>();
     private int asked;
@@ -44,7 +46,7 @@ final class JointRule {
         this.random = random;
         scene = encounter.compiled(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         opaque = encounter.compiled(ShadowMode.ALL_SURFACES_STOP_LIGHT);
-        walk = new RayWalk(scene);
+        walk = new RayQuery(scene);
     }
 
     static Verdict verdict(Encounter encounter, RandomNumbers random) {
@@ -55,7 +57,7 @@ final class JointRule {
 
     /** An encounter whose ray does not meet the first surface first is a matter of order, and not judged here. */
     private void judge() {
-        walk.start(new Ray(encounter.origin(), encounter.direction()));
+        Queries.start(walk, new RayRecord(encounter.origin(), encounter.direction()));
         List<Integer> order = encounter.exactOrder();
         boolean isMet = walk.advance();
         if (order.isEmpty() || !isMet || walk.surface() != order.get(0)) {
@@ -80,13 +82,13 @@ final class JointRule {
     private Vector directionFrom(Joint joint) {
         Vector direction = random.direction();
         double up = joint.normal().dot(direction);
-        return Math.abs(up) < JointSide.CLEAR ? directionFrom(joint) : up > 0 ? direction : direction.negated();
+        return Math.abs(up) < JointSide.CLEAR ? directionFrom(joint) : up > 0 ? direction : Vectors.negated(direction);
     }
 
     private void judgeLine(Joint joint, String path) {
         Vector point = joint.position();
         double length = encounter.origin().minus(point).length() * random.magnitude(-12, 3);
-        Vector end = point.plus(length, directionFrom(joint));
+        Vector end = Vectors.plus(point, length, directionFrom(joint));
         if (!encounter.surfaces().stream().allMatch(surface -> Sides.isOff(surface, end, JointSide.WELL_OFF))) {
             return;
         }
@@ -112,7 +114,7 @@ final class JointRule {
         }
         asked++;
         joint.start(walk, direction);
-        boolean meetsAtOnce = walk.advance() && walk.hit().distance() <= JointSide.AT_ONCE * size(joint);
+        boolean meetsAtOnce = walk.advance() && Joint.reachedBy(walk).position().minus(joint.position()).length() <= JointSide.AT_ONCE * size(joint);
         boolean meetsWrong = meetsAtOnce && isMetAtOnce(walk.surface(), joint, direction).equals(Optional.of(false));
         if (wanted.get() != meetsAtOnce || meetsWrong) {
             faults.add("the ray from " + joint.position() + path + " along " + direction + (wanted.get()

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * How a point that a ray has reached lies to one surface: in front of it, on the side from which the ray came. From

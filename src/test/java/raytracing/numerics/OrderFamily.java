@@ -6,11 +6,12 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /** Rays that meet surfaces in an order which is hard to tell. */
 public enum OrderFamily implements EncounterFamily {
@@ -76,7 +77,7 @@ public enum OrderFamily implements EncounterFamily {
         Box box = new Box(random.eighths(4), random.whole(64) * 0.125, 0);
         Box solid = new Box(box.centre(), Math.abs(box.edge()), 0);
         double face = Axes.part(solid.centre(), axis) - Math.signum(Axes.part(line.direction(), axis)) * solid.edge() / 2;
-        Vector target = Axes.withPart(solid.centre().plus(solid.edge() / 2, random.vector(0.99)), axis, face);
+        Vector target = Axes.withPart(Vectors.plus(solid.centre(), solid.edge() / 2, random.vector(0.99)), axis, face);
         Surface plane = scaled(random, Axes.withPart(Vector.ZERO, axis, 1), face);
         Vector direction = target.minus(line.origin());
         List<Surface> surfaces = random.oneIn(2) ? List.of(plane, solid) : List.of(solid, plane);
@@ -91,7 +92,7 @@ public enum OrderFamily implements EncounterFamily {
         Vector target = line.at((face - Axes.part(line.origin(), axis)) / Axes.part(line.direction(), axis));
         List<Surface> boxes = IntStream.range(0, among(random)).mapToObj(i -> {
             double edge = random.random().nextInt(1, 80) / (random.oneIn(2) ? 8.0 : 10.0);
-            Vector centre = target.plus(edge / 2, random.vector(0.99));
+            Vector centre = Vectors.plus(target, edge / 2, random.vector(0.99));
             return (Surface) new Box(Axes.withPart(centre, axis, face + towards * edge / 2), edge, 0);
         }).toList();
         return new Encounter(line.origin(), line.direction(), boxes);
@@ -134,7 +135,7 @@ public enum OrderFamily implements EncounterFamily {
         Vector normal = random.direction();
         double radius = random.between(0.5, 4);
         return random.oneIn(3) ? new Plane(normal, normal.dot(touching.point()), 0)
-            : random.oneIn(2) ? new Sphere(touching.point().plus(radius, normal), radius, 0) : touching.box();
+            : random.oneIn(2) ? new Sphere(Vectors.plus(touching.point(), radius, normal), radius, 0) : touching.box();
     }
 
     /**
@@ -145,10 +146,10 @@ public enum OrderFamily implements EncounterFamily {
         Vector direction = random.wholes(5);
         Vector aside = Pythagorean.perpendicularTo(direction, random);
         Vector origin = random.wholes(40);
-        Vector centre = origin.plus(random.random().nextInt(2, 20), direction).plus(random.wholes(9));
+        Vector centre = Vectors.plus(Vectors.plus(origin, random.random().nextInt(2, 20), direction), random.wholes(9));
         double radius = random.random().nextInt(9, 30);
         List<Sphere> spheres = IntStream.rangeClosed(-40, 40).boxed()
-            .flatMap(i -> withCircle(origin, centre, radius, centre.plus(i, aside)).stream()).toList();
+            .flatMap(i -> withCircle(origin, centre, radius, Vectors.plus(centre, i, aside)).stream()).toList();
         if (spheres.size() < 2) {
             return commonCircle(random);
         }
@@ -173,7 +174,7 @@ public enum OrderFamily implements EncounterFamily {
         int axis = random.axis();
         Vector origin = Axes.withPart(random.vector(10), axis, 0);
         Vector direction = Axes.withPart(random.vector(1), axis, random.sign());
-        Surface surface = new Touching(random, origin.plus(random.between(1, 20), direction), direction).any();
+        Surface surface = new Touching(random, Vectors.plus(origin, random.between(1, 20), direction), direction).any();
         Optional<ExactCrossing> crossing = ExactCrossing.first(surface, origin, direction);
         if (crossing.isEmpty()) {
             return hairApart(random);
@@ -191,10 +192,10 @@ public enum OrderFamily implements EncounterFamily {
         Vector point = line.at(random.powerOfTwo(1, 6));
         double size = random.powerOfTwo(-2, 2);
         Vector towardsCentre = new Vector(3 * Math.signum(line.direction().x()), 0, 4 * Math.signum(line.direction().z()));
-        Vector centre = point.plus(size, towardsCentre);
+        Vector centre = Vectors.plus(point, size, towardsCentre);
         Sphere sphere = new Sphere(centre, 5 * size, 0);
         Vector step = new Vector(0, random.sign() * random.magnitude(-55, -48), 0);
-        Sphere moved = new Sphere(centre.plus(step), 5 * size, 0);
+        Sphere moved = new Sphere(Vectors.plus(centre, step), 5 * size, 0);
         Touching touching = new Touching(random, point, line.direction());
         Surface other = random.oneIn(2) ? sphere : touching.any();
         return new Encounter(line.origin(), line.direction(),

@@ -1,10 +1,11 @@
 package raytracing.numerics;
 
+
 /** Ways to meet a plane, the simplest first. */
 public enum PlaneAlgorithm implements Algorithm {
     TEXTBOOK("textbook", "(c - N.o) / N.d", PlaneWitnesses::textbook),
     FUSED("fused", "the same with fused multiply-adds", PlaneWitnesses::fused),
-    OURS("ours", "PlaneKernel", ProductAlgorithms.PLANE),
+    OURS("ours", "Plane", ProductAlgorithms.PLANE),
     DOUBLE_DOUBLE("double-double", "every operation with 106 bits", PlaneWitnesses::doubleDouble);
 
     private final String title;

@@ -1,50 +1,32 @@
 package raytracing.numerics;
 
+import java.util.List;
 import raytracing.math.Vector;
 
 /** Rays at planes that look for the weak places of a kernel. */
-enum PlaneAttack implements Family {
-    /** Normal 10^-200 to 10^200 long. */
-    NORMALS("any length of the normal", PlaneAttack::normals),
-    /** Offset 0. */
-    THROUGH_THE_ORIGIN("through the world's origin", PlaneAttack::throughTheOrigin),
-    /** Origin exactly on it, or but for a few ulps of one number. */
-    ON_BUT_FOR_ULPS("on the plane but for ulps", PlaneAttack::onButForUlps),
-    /** Direction exactly along it, or but for a few ulps of one number. */
-    ALONG_BUT_FOR_ULPS("along the plane but for ulps", PlaneAttack::alongButForUlps),
-    /** A part of the direction is below 10^-20, down to the smallest double. */
-    TINY_PART("tiny part of the direction", PlaneAttack::tinyPart),
-    /** Every number with a size of its own. */
-    MIXED("mixed sizes", PlaneAttack::mixed),
-    /** Direction 10^-160 to 10^160 long. */
-    SPEED("any length of the direction", PlaneAttack::speed),
-    /** Crossings at the ends of the doubles and beyond. */
-    ENDS("crossings at the ends of the range", PlaneAttack::ends);
+final class PlaneAttack {
+    static final List<Family> FAMILIES = List.of(
+        // normal 10^-200 to 10^200 long
+        new Attack(Shape.PLANE, "any length of the normal", PlaneAttack::normals),
+        // offset 0
+        new Attack(Shape.PLANE, "through the world's origin", PlaneAttack::throughTheOrigin),
+        // origin exactly on it, or but for a few ulps of one number
+        new Attack(Shape.PLANE, "on the plane but for ulps", PlaneAttack::onButForUlps),
+        // direction exactly along it, or but for a few ulps of one number
+        new Attack(Shape.PLANE, "along the plane but for ulps", PlaneAttack::alongButForUlps),
+        // a part of the direction is below 10^-20, down to the smallest double
+        new Attack(Shape.PLANE, "tiny part of the direction", PlaneAttack::tinyPart),
+        // every number with a size of its own
+        new Attack(Shape.PLANE, "mixed sizes", PlaneAttack::mixed),
+        // direction 10^-160 to 10^160 long
+        new Attack(Shape.PLANE, "any length of the direction", PlaneAttack::speed),
+        // crossings at the ends of the doubles and beyond
+        new Attack(Shape.PLANE, "crossings at the ends of the range", PlaneAttack::ends));
 
     /** Products of such numbers, and sums of three, are exact. */
     private static final int LARGEST_WHOLE = 1 << 25;
 
-    private final String title;
-    private final Recipe recipe;
-
-    PlaneAttack(String title, SurfaceSource surface) {
-        this.title = title;
-        this.recipe = new Recipe(1, RandomNumbers::line, surface);
-    }
-
-    @Override
-    public Shape shape() {
-        return Shape.PLANE;
-    }
-
-    @Override
-    public String title() {
-        return title;
-    }
-
-    @Override
-    public Recipe recipe() {
-        return recipe;
+    private PlaneAttack() {
     }
 
     private static Query ordinary(RandomNumbers random, Line line) {

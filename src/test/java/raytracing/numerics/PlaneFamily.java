@@ -1,6 +1,7 @@
 package raytracing.numerics;
 
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Rays and planes. Unless it says otherwise: a unit direction, a unit normal, coordinates up to about 30. */
 public enum PlaneFamily implements Family {
@@ -41,7 +42,7 @@ public enum PlaneFamily implements Family {
 
     private static Line farLine(RandomNumbers random) {
         Line line = random.line();
-        return new Line(line.origin().plus(random.magnitude(10, 30), random.direction()), line.direction());
+        return new Line(Vectors.plus(line.origin(), random.magnitude(10, 30), random.direction()), line.direction());
     }
 
     private static Query through(Vector point, Vector normal, Line line) {

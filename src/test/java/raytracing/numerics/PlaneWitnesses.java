@@ -1,5 +1,7 @@
 package raytracing.numerics;
 
+import raytracing.surface.Plane;
+
 /** Plane formulas that lose, and one that wins at any price: what ours is measured against. */
 final class PlaneWitnesses {
     private PlaneWitnesses() {

@@ -1,18 +1,16 @@
 package raytracing.numerics;
 
-import raytracing.geometry.Box;
-import raytracing.geometry.BoxKernel;
-import raytracing.geometry.Departure;
-import raytracing.geometry.OutwardNormal;
-import raytracing.geometry.Plane;
-import raytracing.geometry.PlaneKernel;
-import raytracing.geometry.Ray;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.SphereKernel;
-import raytracing.geometry.Standpoint;
-import raytracing.geometry.Surface;
-import raytracing.geometry.SurfaceQuestions;
 import raytracing.math.Vector;
+import raytracing.surface.Box;
+import raytracing.surface.Departure;
+import raytracing.surface.HitRecord;
+import raytracing.surface.OutwardNormal;
+import raytracing.surface.Plane;
+import raytracing.surface.RayOrigin;
+import raytracing.surface.RayRecord;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
+import raytracing.surface.SurfaceQuestions;
 
 /** Every question that these tests ask the product about crossings goes through here. */
 final class ProductAlgorithms {
@@ -23,36 +21,25 @@ final class ProductAlgorithms {
     private ProductAlgorithms() {
     }
 
-    /** As the product's loop over spheres asks: the quick question first, and exact numbers last. */
     private static double sphere(double ox, double oy, double oz, double dx, double dy, double dz,
                                  double cx, double cy, double cz, double r) {
-        if (SphereKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, r)) {
-            return Formula.MISS;
-        }
-        double quick = SphereKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, r);
-        return Double.isNaN(quick) ? exact(new Sphere(new Vector(cx, cy, cz), r, 0), ox, oy, oz, dx, dy, dz) : quick;
+        return firstCrossing(new Sphere(new Vector(cx, cy, cz), r, 0), ox, oy, oz, dx, dy, dz);
     }
 
     private static double plane(double ox, double oy, double oz, double dx, double dy, double dz,
                                 double nx, double ny, double nz, double c) {
-        double quick = PlaneKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, nx, ny, nz, c);
-        return Double.isNaN(quick) ? exact(new Plane(new Vector(nx, ny, nz), c, 0), ox, oy, oz, dx, dy, dz) : quick;
+        return firstCrossing(new Plane(new Vector(nx, ny, nz), c, 0), ox, oy, oz, dx, dy, dz);
     }
 
     private static double box(double ox, double oy, double oz, double dx, double dy, double dz,
                               double cx, double cy, double cz, double edge) {
-        double half = edge / 2;
-        if (BoxKernel.isPlainlyMissed(ox, oy, oz, dx, dy, dz, Formula.MISS, 0, cx, cy, cz, half)) {
-            return Formula.MISS;
-        }
-        double quick = BoxKernel.firstCrossing(ox, oy, oz, dx, dy, dz, 0, cx, cy, cz, half);
-        return Double.isNaN(quick) ? exact(new Box(new Vector(cx, cy, cz), edge, 0), ox, oy, oz, dx, dy, dz) : quick;
+        return firstCrossing(new Box(new Vector(cx, cy, cz), edge, 0), ox, oy, oz, dx, dy, dz);
     }
 
-    private static double exact(Surface surface, double ox, double oy, double oz, double dx, double dy, double dz) {
-        Standpoint origin = new Standpoint();
-        origin.start(ox, oy, oz, 0, Ray.NO_SURFACE, Departure.ELSEWHERE);
-        return Surface.distance(surface.crossing(origin, 0, new Vector(dx, dy, dz)));
+    private static double firstCrossing(Surface surface, double ox, double oy, double oz, double dx, double dy, double dz) {
+        RayRecord ray = new RayRecord(new Vector(ox, oy, oz), 0, new Vector(dx, dy, dz), RayOrigin.NO_SURFACE,
+            Departure.ELSEWHERE);
+        return SurfaceQuestions.firstCrossing(surface, ray, Departure.ELSEWHERE);
     }
 
     static Surface sphere(Query query) {
@@ -82,7 +69,7 @@ final class ProductAlgorithms {
     }
 
     static Vector hitPoint(Surface surface, Query query, double t) {
-        return surface.hit(rayTo(surface, query, t), t, 0).point();
+        return HitRecord.at(surface, rayTo(surface, query, t), t, 0).point();
     }
 
     static Vector outwardNormal(Surface surface, Query query, double t) {
@@ -90,14 +77,14 @@ final class ProductAlgorithms {
     }
 
     /** A ray that meets a surface at t; behind its first crossing, one that is known to be inside. */
-    private static Ray rayTo(Surface surface, Query query, double t) {
-        Ray ray = ray(query);
+    private static RayRecord rayTo(Surface surface, Query query, double t) {
+        RayRecord ray = ray(query);
         return SurfaceQuestions.firstCrossing(surface, ray, Departure.ELSEWHERE) < t
-            ? new Ray(ray.origin(), 0, ray.direction(), 0, Departure.INWARD) : ray;
+            ? new RayRecord(ray.origin(), 0, ray.direction(), 0, Departure.INWARD) : ray;
     }
 
     /** One whose origin is exactly where it says. */
-    private static Ray ray(Query query) {
-        return new Ray(query.origin(), 0, query.direction(), Ray.NO_SURFACE, Departure.ELSEWHERE);
+    private static RayRecord ray(Query query) {
+        return new RayRecord(query.origin(), 0, query.direction(), RayOrigin.NO_SURFACE, Departure.ELSEWHERE);
     }
 }

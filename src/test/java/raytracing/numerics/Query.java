@@ -4,6 +4,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /**
  * A ray and a surface: where do they first meet? The shape is known from where the query comes.
@@ -26,7 +27,7 @@ public record Query(Vector origin, Vector direction, Vector vector, double scala
 
     /** The rest of the ray from o + t d on, rounded. */
     public Query startingAt(double t) {
-        return new Query(origin.plus(t, direction), direction, vector, scalar);
+        return new Query(Vectors.plus(origin, t, direction), direction, vector, scalar);
     }
 
     /** The same line, run through at another speed. */

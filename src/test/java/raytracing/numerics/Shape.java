@@ -3,7 +3,7 @@ package raytracing.numerics;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import raytracing.geometry.Surface;
+import raytracing.surface.Surface;
 
 /** The three shapes: who competes, on what, and who knows the exact answer. */
 public enum Shape {

@@ -1,10 +1,10 @@
 package raytracing.numerics;
 
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /** Where points lie that are so far off a surface that doubles can tell. */
 final class Sides {

@@ -1,5 +1,6 @@
 package raytracing.numerics;
 
+
 /** Ways to meet a sphere, the simplest first. */
 public enum SphereAlgorithm implements Algorithm {
     TEXTBOOK("textbook", "b b - 4 a c as in school", SphereWitnesses::textbook),
@@ -8,7 +9,7 @@ public enum SphereAlgorithm implements Algorithm {
         SphereWitnesses::closestApproach),
     COMPENSATED("compensated c", "the same with c = |o - c|^2 - r^2 from exact differences and products",
         SphereWitnesses::compensated),
-    OURS("ours", "SphereKernel", ProductAlgorithms.SPHERE),
+    OURS("ours", "Sphere", ProductAlgorithms.SPHERE),
     DOUBLE_DOUBLE("double-double", "every operation with 106 bits", SphereWitnesses::doubleDouble);
 
     private final String title;

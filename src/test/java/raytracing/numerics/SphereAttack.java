@@ -1,56 +1,36 @@
 package raytracing.numerics;
 
+import java.util.List;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Rays at spheres that look for the weak places of a kernel. */
-enum SphereAttack implements Family {
-    /**
-     * From 2^30 to 2^100 radii away, past the world's origin without a rounding; closest approach r (1 -/+ 2^-50 to
-     * 1/2).
-     */
-    DISTANT_GRAZE("grazing from afar", SphereAttack::distantGraze),
-    /** Touching exactly, or but for a few ulps of one number. */
-    TANGENT("touching but for ulps", SphereAttack::tangent),
-    /** The same from up to 2^40 away. */
-    DISTANT_TANGENT("touching but for ulps, from afar", SphereAttack::distantTangent),
-    /** Origin exactly on the sphere, or but for a few ulps of one number. */
-    ON_BUT_FOR_ULPS("on the sphere but for ulps", SphereAttack::onButForUlps),
-    /** Inside, next to the wall, and nearly along it. */
-    ALONG_THE_WALL("along the inner wall", SphereAttack::alongTheWall),
-    /** A part of the direction is below 10^-20, down to the smallest double. */
-    TINY_PART("tiny part of the direction", SphereAttack::tinyPart),
-    /** Radius and distance each between 2^-60 and 2^60. */
-    MIXED("mixed sizes", SphereAttack::mixed),
-    /** Direction 10^-160 to 10^160 long. */
-    SPEED("any length of the direction", SphereAttack::speed),
-    /** All lengths times 10^-90 to 10^90, and then the direction. */
-    UNITS("any unit of length", SphereAttack::units),
-    /** All parts of the direction are subnormal, all lengths so small that crossings are not. */
-    SLOW("subnormal direction", SphereAttack::slow),
-    /** Crossings at the ends of the doubles and beyond. */
-    ENDS("crossings at the ends of the range", SphereAttack::ends);
+final class SphereAttack {
+    static final List<Family> FAMILIES = List.of(
+        // from 2^30 to 2^100 radii away, past the world's origin without a rounding; closest approach r (1 -/+ 2^-50 to 1/2)
+        new Attack(Shape.SPHERE, "grazing from afar", SphereAttack::distantGraze),
+        // touching exactly, or but for a few ulps of one number
+        new Attack(Shape.SPHERE, "touching but for ulps", SphereAttack::tangent),
+        // the same from up to 2^40 away
+        new Attack(Shape.SPHERE, "touching but for ulps, from afar", SphereAttack::distantTangent),
+        // origin exactly on the sphere, or but for a few ulps of one number
+        new Attack(Shape.SPHERE, "on the sphere but for ulps", SphereAttack::onButForUlps),
+        // inside, next to the wall, and nearly along it
+        new Attack(Shape.SPHERE, "along the inner wall", SphereAttack::alongTheWall),
+        // a part of the direction is below 10^-20, down to the smallest double
+        new Attack(Shape.SPHERE, "tiny part of the direction", SphereAttack::tinyPart),
+        // radius and distance each between 2^-60 and 2^60
+        new Attack(Shape.SPHERE, "mixed sizes", SphereAttack::mixed),
+        // direction 10^-160 to 10^160 long
+        new Attack(Shape.SPHERE, "any length of the direction", SphereAttack::speed),
+        // all lengths times 10^-90 to 10^90, and then the direction
+        new Attack(Shape.SPHERE, "any unit of length", SphereAttack::units),
+        // all parts of the direction are subnormal, all lengths so small that crossings are not
+        new Attack(Shape.SPHERE, "subnormal direction", SphereAttack::slow),
+        // crossings at the ends of the doubles and beyond
+        new Attack(Shape.SPHERE, "crossings at the ends of the range", SphereAttack::ends));
 
-    private final String title;
-    private final Recipe recipe;
-
-    SphereAttack(String title, SurfaceSource surface) {
-        this.title = title;
-        this.recipe = new Recipe(1, RandomNumbers::line, surface);
-    }
-
-    @Override
-    public Shape shape() {
-        return Shape.SPHERE;
-    }
-
-    @Override
-    public String title() {
-        return title;
-    }
-
-    @Override
-    public Recipe recipe() {
-        return recipe;
+    private SphereAttack() {
     }
 
     private static Query distantGraze(RandomNumbers random, Line line) {
@@ -73,7 +53,7 @@ enum SphereAttack implements Family {
         Vector towardsContact = Pythagorean.vector(random);
         Vector direction = Pythagorean.perpendicularTo(towardsContact, random);
         Vector centre = random.eighths(16);
-        Vector origin = centre.plus(towardsContact).plus(-steps, direction);
+        Vector origin = Vectors.plus(Vectors.plus(centre, towardsContact), -steps, direction);
         return random.besideByUlps(new Query(origin, direction, centre, towardsContact.length()));
     }
 
@@ -81,14 +61,14 @@ enum SphereAttack implements Family {
         Vector outward = Pythagorean.vector(random);
         Vector centre = random.eighths(16);
         Vector direction = random.oneIn(2) ? Pythagorean.perpendicularTo(outward, random) : line.direction();
-        return random.besideByUlps(new Query(centre.plus(outward), direction, centre, outward.length()));
+        return random.besideByUlps(new Query(Vectors.plus(centre, outward), direction, centre, outward.length()));
     }
 
     private static Query alongTheWall(RandomNumbers random, Line line) {
         double radius = random.magnitude(-1, 2);
         Vector outward = random.perpendicularTo(line.direction());
         Vector origin = outward.times(radius * (1 - random.magnitude(-52, -20)));
-        Vector direction = line.direction().plus(random.sign() * random.magnitude(-60, -2), outward);
+        Vector direction = Vectors.plus(line.direction(), random.sign() * random.magnitude(-60, -2), outward);
         return new Query(origin, direction, random.oneIn(2) ? Vector.ZERO : outward.times(0x1p-60), radius);
     }
 
@@ -101,7 +81,7 @@ enum SphereAttack implements Family {
     private static Query passed(RandomNumbers random, Line line, double distance, double radius) {
         double part = random.oneIn(2) ? random.between(0, 1.5) : 1 + random.sign() * random.magnitude(-50, -9);
         Vector aside = random.perpendicularTo(line.direction());
-        return line.with(line.at(distance).plus(radius * part, aside), radius);
+        return line.with(Vectors.plus(line.at(distance), radius * part, aside), radius);
     }
 
     private static Query mixed(RandomNumbers random, Line line) {

@@ -1,6 +1,7 @@
 package raytracing.numerics;
 
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 
 /** Rays and spheres. Unless it says otherwise: a unit direction, coordinates up to about 30, radius 1/2 to 4. */
 public enum SphereFamily implements Family {
@@ -47,13 +48,13 @@ public enum SphereFamily implements Family {
 
     private static Line farLine(RandomNumbers random) {
         Line line = random.line();
-        return new Line(line.origin().plus(random.magnitude(10, 27), random.direction()), line.direction());
+        return new Line(Vectors.plus(line.origin(), random.magnitude(10, 27), random.direction()), line.direction());
     }
 
     /** A sphere that the line passes, beyond a distance from its origin, at a part of its radius from its centre. */
     private static Query passed(RandomNumbers random, Line line, double distance, double radius, double part) {
         Vector aside = random.perpendicularTo(line.direction());
-        return line.with(line.at(distance).plus(radius * part, aside), radius);
+        return line.with(Vectors.plus(line.at(distance), radius * part, aside), radius);
     }
 
     private static Query ordinary(RandomNumbers random, Line line) {
@@ -68,7 +69,7 @@ public enum SphereFamily implements Family {
     private static Query ground(RandomNumbers random, Line line) {
         double radius = random.magnitude(13, 40);
         Vector down = random.oneIn(2) ? new Vector(0, -1, 0) : random.direction();
-        return line.with(line.origin().plus(radius + random.magnitude(-10, 5), down), radius);
+        return line.with(Vectors.plus(line.origin(), radius + random.magnitude(-10, 5), down), radius);
     }
 
     private static Query tiny(RandomNumbers random, Line line) {
@@ -84,15 +85,15 @@ public enum SphereFamily implements Family {
         Vector anywhere = random.direction();
         Vector alongTheWall = random.perpendicularTo(line.direction());
         Vector outward = random.oneIn(3)
-            ? alongTheWall.plus(random.sign() * random.magnitude(-50, -9), line.direction()) : anywhere;
+            ? Vectors.plus(alongTheWall, random.sign() * random.magnitude(-50, -9), line.direction()) : anywhere;
         double radius = random.magnitude(-1, 2);
-        return line.with(line.origin().plus(-radius, outward), radius);
+        return line.with(Vectors.plus(line.origin(), -radius, outward), radius);
     }
 
     private static Query inside(RandomNumbers random, Line line) {
         double radius = random.magnitude(-1, 2);
         double part = random.oneIn(2) ? random.between(0, 1) : 1 - random.magnitude(-40, -1);
-        return line.with(line.origin().plus(radius * part, random.direction()), radius);
+        return line.with(Vectors.plus(line.origin(), radius * part, random.direction()), radius);
     }
 
     private static Query notUnit(RandomNumbers random, Line line) {

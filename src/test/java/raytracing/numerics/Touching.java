@@ -1,10 +1,11 @@
 package raytracing.numerics;
 
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * Surfaces through a point without any rounding, as long as its parts are up to a thousand and have no digit below
@@ -30,7 +31,7 @@ record Touching(RandomNumbers random, Vector point, Vector direction) {
         double size = random.powerOfTwo(-2, 2);
         boolean turn = whole.dot(direction) < 0 != random.oneIn(5);
         Vector towardsCentre = whole.times(turn ? -size : size);
-        return new Sphere(point.plus(towardsCentre), size * whole.length(), 0);
+        return new Sphere(Vectors.plus(point, towardsCentre), size * whole.length(), 0);
     }
 
     /** The point is a corner, or on an edge, or on a face. Most of them are met from outside there. */
@@ -42,7 +43,7 @@ record Touching(RandomNumbers random, Vector point, Vector direction) {
         int first = random.axis();
         Vector edge = random.oneIn(3) ? corner : Axes.withPart(corner, first, random.whole(7) * half / 8);
         Vector face = random.oneIn(3) ? edge : Axes.withPart(edge, (first + 1) % 3, random.whole(7) * half / 8);
-        return new Box(point.plus(face), 2 * half, 0);
+        return new Box(Vectors.plus(point, face), 2 * half, 0);
     }
 
     private double side(double part, boolean fromOutside) {

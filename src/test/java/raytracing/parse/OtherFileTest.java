@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.film.Film;
 import raytracing.film.ImageFile;
 import raytracing.film.ImageFormat;
-import raytracing.progress.Preparation;
+import raytracing.parallel.Preparation;
 
 /** Files that are no scene files are called what they are, in one sentence. */
 class OtherFileTest {

@@ -20,11 +20,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.color.Color;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
 import raytracing.math.Vector;
-import raytracing.progress.Preparation;
+import raytracing.math.Vectors;
+import raytracing.parallel.Preparation;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
 import raytracing.scene.Light;
@@ -32,6 +30,9 @@ import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
 
 @Isolated("changes the locale")
 class SceneParserTest {
@@ -112,7 +113,8 @@ class SceneParserTest {
 
     private static List<Sphere> normalised(Scene scene) {
         return scene.surfaces().stream().map(surface -> (Sphere) surface)
-            .map(sphere -> new Sphere(sphere.centre().plus(Vector.ZERO), sphere.radius(), sphere.material())).toList();
+            .map(sphere -> new Sphere(Vectors.plus(sphere.centre(), Vector.ZERO), sphere.radius(),
+                sphere.material())).toList();
     }
 
     @ParameterizedTest
@@ -183,7 +185,8 @@ class SceneParserTest {
         String word = text.toString(StandardCharsets.UTF_8).substring(HEAD.length()).strip();
         assertEquals(List.of("test.txt:4: " + word + ": unknown code (bytes that are not UTF-8), "
             + "expected cam, set, mtl, sph, pln, box or lgt"),
-            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", text.toByteArray(), new Preparation())).messages());
+            assertThrows(RayTracerException.class,
+                () -> SceneParser.parse("test.txt", text.toByteArray(), new Preparation())).messages());
     }
 
     @Test
@@ -428,9 +431,9 @@ class SceneParserTest {
     void aMissingFileAndAFolderAreTheUsersMistakes(@TempDir Path folder) {
         Path missing = folder.resolve("none.txt");
         assertEquals(missing + ": no such file, expected a scene file",
-            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(missing)).getMessage());
+            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(missing, new Preparation())).getMessage());
         assertEquals(folder + ": is a folder, expected a scene file",
-            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(folder)).getMessage());
+            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(folder, new Preparation())).getMessage());
     }
 
     /** Files of more than 64 kB are read in pieces: every line must be there, once and in its place. */
@@ -442,7 +445,7 @@ class SceneParserTest {
         }
         Path file = folder.resolve("large.txt");
         Files.writeString(file, text);
-        Scene scene = SceneParser.parseFile(file).scene();
+        Scene scene = SceneParser.parseFile(file, new Preparation()).scene();
         assertEquals(20_000, scene.surfaces().size());
         for (int i = 0; i < 20_000; i++) {
             assertEquals(new Sphere(new Vector(i, 0, 0), 1, 0), scene.surfaces().get(i));
@@ -454,6 +457,6 @@ class SceneParserTest {
         Path file = folder.resolve("pool.txt");
         Files.writeString(file, HEAD + "sph 0 0 0 -1 1\n");
         assertEquals(file + ":4: sph: radius must be above 0, got -1",
-            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(file)).getMessage());
+            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(file, new Preparation())).getMessage());
     }
 }

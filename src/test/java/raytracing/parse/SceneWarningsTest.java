@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracing.progress.Preparation;
+import raytracing.parallel.Preparation;
 
 class SceneWarningsTest {
     private static final String CAM = "cam 0 0 -5  0 0 0  0 1 0  1 2\n";
@@ -25,7 +25,8 @@ class SceneWarningsTest {
 
     private static List<String> warnings(String... lines) {
         try {
-            return SceneParser.parse("a.txt", String.join("", lines).getBytes(StandardCharsets.UTF_8), new Preparation()).warnings();
+            return SceneParser.parse("a.txt", String.join("", lines).getBytes(StandardCharsets.UTF_8),
+                new Preparation()).warnings();
         } catch (RayTracerException wrong) {
             throw new AssertionError(wrong.getMessage(), wrong);
         }

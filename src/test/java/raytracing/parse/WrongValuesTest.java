@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import raytracing.progress.Preparation;
+import raytracing.parallel.Preparation;
 
 /** What is said where a number should be and is none: what is wrong with it, and not only that. */
 class WrongValuesTest {
@@ -17,7 +17,8 @@ class WrongValuesTest {
 
     private static List<String> messages(String line) {
         byte[] bytes = (HEAD + line + "\n").getBytes(StandardCharsets.UTF_8);
-        return assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", bytes, new Preparation())).messages();
+        return assertThrows(RayTracerException.class,
+            () -> SceneParser.parse("test.txt", bytes, new Preparation())).messages();
     }
 
     @ParameterizedTest(name = "{0}")

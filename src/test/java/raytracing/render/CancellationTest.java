@@ -14,22 +14,22 @@ class CancellationTest {
     @Test
     void anAnswerIsAwaitedForAnyTimeWhileSomethingIsDrawn() throws Exception {
         Cancellation cancellation = new Cancellation();
-        cancellation.drawing();
-        FutureTask<Boolean> wait = new FutureTask<>(() -> cancellation.awaitAnswer(NO_TIME));
+        cancellation.beginDrawing();
+        FutureTask<Boolean> wait = new FutureTask<>(() -> cancellation.awaitEnd(NO_TIME));
         Thread thread = new Thread(wait);
         thread.setDaemon(true);
         thread.start();
         Patience.await("wait without a limit", () -> wait.isDone() || thread.getState() == Thread.State.WAITING);
         assertFalse(wait.isDone());
-        cancellation.answer();
+        cancellation.confirmEnd();
         assertTrue(wait.get());
     }
 
     @Test
     void nothingIsAwaitedForLongWhereNothingIsDrawn() throws Exception {
         Cancellation cancellation = new Cancellation();
-        cancellation.drawing();
-        cancellation.drawn();
-        assertFalse(cancellation.awaitAnswer(NO_TIME));
+        cancellation.beginDrawing();
+        cancellation.endDrawing();
+        assertFalse(cancellation.awaitEnd(NO_TIME));
     }
 }

@@ -34,7 +34,7 @@ class DrawingTest {
 
     private static Drawing drawing(RenderSettings settings, int bandHeight, Cancellation cancellation,
                                    Leftovers leftovers, DrawingListener listener) {
-        return new Drawing(new Renderer(SCENE, settings), settings, bandHeight, cancellation, leftovers, listener);
+        return new Drawing(Renderers.of(SCENE, settings), bandHeight, cancellation, leftovers, listener);
     }
 
     /** Begins at the top, on the left, in the middle; ends at the corner; is a single pixel. */
@@ -42,9 +42,9 @@ class DrawingTest {
     @CsvSource({"0, 0, 61, 20, 1", "0, 13, 61, 20, 3", "17, 9, 30, 21, 1", "17, 9, 30, 21, 3", "40, 30, 21, 17, 2",
         "33, 25, 1, 1, 3"})
     void aRegionHasThePixelsOfTheWhole(int x, int y, int width, int height, int root) {
-        Film whole = new Renderer(SCENE, settings(root)).render();
+        Film whole = Renderers.film(SCENE, settings(root));
         Region region = new Region(x, y, x + width, y + height);
-        Film part = new Renderer(SCENE, settings(root).withRegion(region)).render();
+        Film part = Renderers.film(SCENE, settings(root).withRegion(region));
         RendererTest.assertSamePixels(whole.part(x, y, width, height), part);
     }
 
@@ -54,22 +54,22 @@ class DrawingTest {
         Scene room = SceneText.scene("cam 0 1 -3  0 1 0  0 1 0  1 2", "set 0.9 0.8 0.7 1 1",
             "mtl 0.5 0.7 0.9  0 0 0  0 0 0  1 0  0.5 0.7 0.9", "pln 0 1 0 0 1", "sph 0 1 1  1 1", "box 2 0.5 1  1 1");
         RenderSettings settings = RenderSettings.DEFAULT.withSize(40, 40);
-        Film whole = new Renderer(room, settings).render();
-        Film part = new Renderer(room, settings.withRegion(new Region(20, 10, 33, 40))).render();
+        Film whole = Renderers.film(room, settings);
+        Film part = Renderers.film(room, settings.withRegion(new Region(20, 10, 33, 40)));
         RendererTest.assertSamePixels(whole.part(20, 10, 13, 30), part);
     }
 
     @ParameterizedTest(name = "bands of {0} rows, {1} x {1} rays")
     @CsvSource({"1, 1", "16, 1", "46, 1", "1, 3", "16, 3", "47, 3"})
     void bandsTogetherAreThePicture(int bandHeight, int root) {
-        Film whole = new Renderer(SCENE, settings(root)).render();
+        Film whole = Renderers.film(SCENE, settings(root));
         Drawing drawing =
             drawing(settings(root), bandHeight, new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
         for (int i = 0; i < drawing.count(); i++) {
             Film band = drawing.band(i);
             RendererTest.assertSamePixels(whole.part(0, i * bandHeight, WIDTH, band.height()), band);
         }
-        assertEquals(1, drawing.share());
+        assertEquals(1, drawing.progress().share());
     }
 
     /** A signal may come while a band is written into the file, which may take longer than a signal waits for nothing. */
@@ -78,7 +78,7 @@ class DrawingTest {
         Cancellation cancellation = new Cancellation();
         Drawing drawing = drawing(settings(1), 16, cancellation, Leftovers.KEEP, DrawingListener.NONE);
         drawing.band(0);
-        FutureTask<Boolean> wait = new FutureTask<>(() -> cancellation.awaitAnswer(1));
+        FutureTask<Boolean> wait = new FutureTask<>(() -> cancellation.awaitEnd(1));
         Thread thread = new Thread(wait);
         thread.setDaemon(true);
         thread.start();
@@ -121,14 +121,14 @@ class DrawingTest {
         Cancellation cancellation = new Cancellation();
         Drawing drawing = drawing(settings(1), HEIGHT, cancellation, Leftovers.DISCARD, new Impatient(cancellation, 3));
         assertThrows(CancelledException.class, () -> drawing.band(0));
-        assertTrue(drawing.share() > 0 && drawing.share() < 1);
+        assertTrue(drawing.progress().share() > 0 && drawing.progress().share() < 1);
     }
 
     /** With smooth edges, nothing is finished in the first pass. */
     @ParameterizedTest
     @CsvSource({"1, 5", "3, 53"})
     void whatIsKeptIsRightAndTheRestIsGaps(int root, int tilesShown) {
-        Film whole = new Renderer(SCENE, settings(root)).render();
+        Film whole = Renderers.film(SCENE, settings(root));
         Cancellation cancellation = new Cancellation();
         Impatient listener = new Impatient(cancellation, tilesShown);
         Drawing drawing = drawing(settings(root), HEIGHT, cancellation, Leftovers.KEEP, listener);
@@ -179,7 +179,7 @@ class DrawingTest {
 
     /** The answer to a signal must not wait for pixels of any length. */
     @Test
-    void nobodyWaitsForASlowPixel() {
+    void aSlowPixelIsNotWaitedFor() {
         CountDownLatch endOfTest = new CountDownLatch(1);
         Cancellation cancellation = new Cancellation();
         DrawingListener asleep = new DrawingListener() {
@@ -194,7 +194,7 @@ class DrawingTest {
         endOfTest.countDown();
     }
 
-    /** Also those of a worker that is not awaited. */
+    /** Also those of a thread that is not waited for. */
     @Test
     void aStoppedPictureCountsTheRaysOfItsFinishedTiles() {
         CountDownLatch endOfTest = new CountDownLatch(1);
@@ -215,14 +215,14 @@ class DrawingTest {
         endOfTest.countDown();
         long pixels = shown.stream().mapToLong(Region::pixelCount).sum();
         assertEquals(pixels, drawing.counts().eye());
-        assertEquals(pixels, drawing.finishedPixels());
+        assertEquals(pixels, drawing.progress().finished());
     }
 
     private static void await(CountDownLatch latch) {
         try {
             latch.await();
-        } catch (InterruptedException nobodyDoes) {
-            throw new AssertionError(nobodyDoes);
+        } catch (InterruptedException unexpected) {
+            throw new AssertionError(unexpected);
         }
     }
 
@@ -255,13 +255,13 @@ class DrawingTest {
         for (int i = 0; i < drawing.count(); i++) {
             drawing.band(i);
         }
-        RendererTest.assertSamePixels(new Renderer(SCENE, settings(root)).render(), shown);
+        RendererTest.assertSamePixels(Renderers.film(SCENE, settings(root)), shown);
     }
 
     /** Every square of a coarse look is a pixel in its middle. */
     @Test
     void coarseLooksShowPixelsOfThePicture() {
-        Renderer renderer = new Renderer(SCENE, settings(1));
+        Renderer renderer = Renderers.of(SCENE, settings(1));
         List<Region> squares = new ArrayList<>();
         DrawingListener checking = new DrawingListener() {
             @Override
@@ -272,7 +272,7 @@ class DrawingTest {
             @Override
             public synchronized void showSquare(Region square, Color light) {
                 squares.add(square);
-                assertEquals(renderer.pixel((square.left() + square.right()) / 2,
+                assertEquals(Renderers.pixel(renderer, (square.left() + square.right()) / 2,
                     (square.top() + square.bottom()) / 2), light);
             }
 
@@ -292,8 +292,8 @@ class DrawingTest {
             "mtl 1 1 1  0 0 0  0.5 0.5 0.5  1 0", "pln 0 1 0 0 1", "sph 0 2 0 0.001 1",
             "lgt 0 5 0.5  1 1 1  1 1 0", "lgt 0 -5 0  1 1 1  1 1 1", "lgt 0 9 0  1 1 1  1 0 1");
         RenderSettings settings = RenderSettings.DEFAULT.withSize(10, 10);
-        Renderer renderer = new Renderer(scene, settings);
-        Drawing drawing = renderer.drawing(new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
+        Renderer renderer = Renderers.of(scene, settings);
+        Drawing drawing = new Drawing(renderer, new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
         drawing.band(0);
         RayCounts counts = drawing.counts();
         assertEquals(100, counts.eye());
@@ -301,7 +301,7 @@ class DrawingTest {
         assertEquals(0, counts.mirroredLeftOut());
         assertEquals(100, counts.surfacesMet());
         assertEquals(300, counts.lightsAtPoints());
-        assertEquals(200, counts.lightsAsked(), "the second light is below the floor");
+        assertEquals(200, counts.shadowQueries(), "the second light is below the floor");
         assertEquals(100, counts.lightsSettled(), "the third light casts no shadow");
         assertEquals(100, counts.shadowRays());
         assertEquals(0, counts.shadowAreas());

@@ -14,7 +14,7 @@ class ProgressTest {
     void withOneRayItIsTheShareOfThePixels() {
         Progress progress = new Progress(PIXELS, PixelSampling.ONE_RAY);
         assertEquals(0, progress.share());
-        progress.looked(250);
+        progress.addFirstRays(250);
         assertEquals(0.25, progress.share());
         assertEquals(250, progress.finished());
     }
@@ -23,8 +23,8 @@ class ProgressTest {
     @Test
     void withSmoothEdgesItIsTheShareOfTheRaysThatAreExpected() {
         Progress progress = new Progress(PIXELS, new PixelSampling(4, Where.EDGES));
-        progress.looked(PIXELS);
-        progress.refined(500, 50);
+        progress.addFirstRays(PIXELS);
+        progress.addSmoothed(500, 50);
         assertEquals(1800.0 / 2600, progress.share(), 1e-15);
         assertEquals(500, progress.finished());
         assertEquals(50, progress.refined());
@@ -33,14 +33,14 @@ class ProgressTest {
     @Test
     void beforeTheFirstEdgeATypicalShareOfThemIsExpected() {
         Progress progress = new Progress(PIXELS, new PixelSampling(2, Where.EDGES));
-        progress.looked(500);
+        progress.addFirstRays(500);
         assertEquals(500.0 / (1000 + 4 * 150), progress.share(), 1e-15);
     }
 
     @Test
     void everywhereThereIsNoFirstPass() {
         Progress progress = new Progress(PIXELS, new PixelSampling(3, Where.EVERYWHERE));
-        progress.refined(400, 400);
+        progress.addSmoothed(400, 400);
         assertEquals(0.4, progress.share(), 1e-15);
     }
 
@@ -49,8 +49,8 @@ class ProgressTest {
     @ValueSource(longs = {0, 1, 123, 29_250, 64_000, 250_000})
     void atTheEndItIsOne(long edges) {
         Progress progress = new Progress(250_000, new PixelSampling(3, Where.EDGES));
-        progress.looked(250_000);
-        progress.refined(250_000, edges);
+        progress.addFirstRays(250_000);
+        progress.addSmoothed(250_000, edges);
         assertEquals(1, progress.share());
     }
 }

@@ -11,12 +11,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import raytracing.SceneText;
 import raytracing.color.Color;
 import raytracing.film.Film;
-import raytracing.geometry.Sphere;
 import raytracing.math.Vector;
 import raytracing.scene.Camera;
 import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
+import raytracing.surface.Sphere;
 
 class RendererTest {
     /** Soft shadows, a mirror and a transparent ball: everything that draws random numbers. */
@@ -44,8 +44,8 @@ class RendererTest {
     @ParameterizedTest(name = "{0} threads, tiles of {1}")
     @CsvSource({"1, 16", "2, 16", "3, 1", "2, 7", "7, 61", "4, 1000", "64, 5"})
     void thePictureIsTheSameForEveryNumberOfThreadsAndEveryTileSize(int threads, int tileSize) {
-        assertSamePixels(new Renderer(SCENE, SMALL.withWorkers(1, 61)).render(),
-            new Renderer(SCENE, SMALL.withWorkers(threads, tileSize)).render());
+        assertSamePixels(Renderers.film(SCENE, SMALL.withWorkers(1, 61)),
+            Renderers.film(SCENE, SMALL.withWorkers(threads, tileSize)));
     }
 
     /** One of two tiles is all sky, so one of two threads is long done when the other is not. */
@@ -55,22 +55,22 @@ class RendererTest {
         Scene scene = SceneText.scene("cam 0 1 0  0 1 9  0 " + up + " 0  1 2", "set 0.5 0.5 0.5 60 1",
             "mtl 1 1 1 0 0 0 0 0 0 1 0", "pln 0 1 0 0 1", "lgt 0 9 9 1 1 1 1 1 1");
         RenderSettings oneColumn = RenderSettings.DEFAULT.withSize(32, 64);
-        assertSamePixels(new Renderer(scene, oneColumn.withWorkers(1, 32)).render(),
-            new Renderer(scene, oneColumn.withWorkers(2, 32)).render());
+        assertSamePixels(Renderers.film(scene, oneColumn.withWorkers(1, 32)),
+            Renderers.film(scene, oneColumn.withWorkers(2, 32)));
     }
 
     @Test
     void anyPixelCanBeReplayed() {
-        Renderer renderer = new Renderer(SCENE, SMALL);
-        Film film = renderer.render();
-        assertEquals(film.get(30, 40), renderer.pixel(30, 40));
-        assertEquals(film.get(0, 0), renderer.pixel(0, 0));
+        Renderer renderer = Renderers.of(SCENE, SMALL);
+        Film film = Renderers.film(renderer);
+        assertEquals(film.get(30, 40), Renderers.pixel(renderer, 30, 40));
+        assertEquals(film.get(0, 0), Renderers.pixel(renderer, 0, 0));
     }
 
     @Test
     void anotherSeedGivesOtherShadowsAndNothingElse() {
-        Film one = new Renderer(SCENE, SMALL).render();
-        Film other = new Renderer(SCENE, SMALL.withSeed(2)).render();
+        Film one = Renderers.film(SCENE, SMALL);
+        Film other = Renderers.film(SCENE, SMALL.withSeed(2));
         int penumbra = 0;
         for (int y = 0; y < one.height(); y++) {
             for (int x = 0; x < one.width(); x++) {
@@ -89,7 +89,7 @@ class RendererTest {
         Scene broken = new Scene(camera, SCENE.settings(), List.of(incomplete),
             List.of(new Sphere(Vector.ZERO, 0.1, 0)), List.of());
         IllegalStateException failure = assertThrows(IllegalStateException.class,
-            () -> new Renderer(broken, RenderSettings.DEFAULT.withSize(5, 5).withWorkers(2, 2)).render());
+            () -> Renderers.film(broken, RenderSettings.DEFAULT.withSize(5, 5).withWorkers(2, 2)));
         assertTrue(failure.getMessage().startsWith("pixel 2, 2: "), failure.getMessage());
     }
 }

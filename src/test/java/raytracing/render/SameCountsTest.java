@@ -14,7 +14,7 @@ import raytracing.render.Cancellation.Leftovers;
 import raytracing.render.PixelSampling.Where;
 import raytracing.scene.Scene;
 import raytracing.shade.RayCounts;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
 
 /** How many rays a picture takes depends on the picture, not on the threads that draw it, or on chance. */
 class SameCountsTest {
@@ -51,12 +51,12 @@ class SameCountsTest {
         /** All that {@code --stats} counts while it draws, in two bands. */
         List<Object> figures(int threads) {
             RenderSettings these = settings.withWorkers(threads, TILE);
-            Renderer renderer = new Renderer(scene, these);
+            Renderer renderer = Renderers.of(scene, these);
             Drawing drawing =
-                new Drawing(renderer, these, 32, new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
+                new Drawing(renderer, 32, new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
             drawing.band(0);
             drawing.band(1);
-            return List.of(drawing.counts(), drawing.refinedPixels(), renderer.ambientLight().pathCount());
+            return List.of(drawing.counts(), drawing.progress().refined(), renderer.ambientLight().pathCount());
         }
     }
 
@@ -99,7 +99,7 @@ class SameCountsTest {
 
     private static RayCounts counts(Scene scene, RenderSettings settings) {
         Drawing drawing =
-            new Renderer(scene, settings).drawing(new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
+            new Drawing(Renderers.of(scene, settings), new Cancellation(), Leftovers.DISCARD, DrawingListener.NONE);
         drawing.band(0);
         return drawing.counts();
     }

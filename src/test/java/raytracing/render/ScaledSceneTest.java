@@ -7,16 +7,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.CommittedScenesTest;
-import raytracing.RayTracer;
+import raytracing.Steps;
 import raytracing.film.Film;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
 import raytracing.scene.Scene;
-import raytracing.shade.ShadowMethod;
+import raytracing.shadow.ShadowMethod;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /** A law of scenes without a unit: multiplying every length by a power of two changes no bit of the film. */
 class ScaledSceneTest {
@@ -30,9 +30,9 @@ class ScaledSceneTest {
     @ParameterizedTest(name = "{0} times {1}")
     @MethodSource("scenesAndScales")
     void theFilmIsTheSameBitForBit(Path file, double scale) throws Exception {
-        Scene scene = RayTracer.parseScene(file);
-        RendererTest.assertSamePixels(new Renderer(scene, SMALL).render(),
-            new Renderer(scaled(scene, scale), SMALL).render());
+        Scene scene = Steps.parseScene(file);
+        RendererTest.assertSamePixels(Renderers.film(scene, SMALL),
+            Renderers.film(scaled(scene, scale), SMALL));
     }
 
     /** So small that squares of lengths are no doubles any more, and so large. */
@@ -40,10 +40,10 @@ class ScaledSceneTest {
     @MethodSource("raytracing.CommittedScenesTest#scenes")
     void alsoAtTheEndsOfTheRange(Path file) throws Exception {
         RenderSettings settings = SMALL.withSize(40, 40);
-        Scene scene = RayTracer.parseScene(file);
-        Film film = new Renderer(scene, settings).render();
-        RendererTest.assertSamePixels(film, new Renderer(scaled(scene, 0x1p900), settings).render());
-        RendererTest.assertSamePixels(film, new Renderer(scaled(scene, 0x1p-900), settings).render());
+        Scene scene = Steps.parseScene(file);
+        Film film = Renderers.film(scene, settings);
+        RendererTest.assertSamePixels(film, Renderers.film(scaled(scene, 0x1p900), settings));
+        RendererTest.assertSamePixels(film, Renderers.film(scaled(scene, 0x1p-900), settings));
     }
 
     @ParameterizedTest(name = "{0} times {1}")
@@ -51,18 +51,18 @@ class ScaledSceneTest {
     void theSamePixelsAreRefinedInTheSameWay(Path file, double scale) throws Exception {
         RenderSettings smooth = SMALL.withSize(40, 40)
             .withSampling(new PixelSampling(2, PixelSampling.Where.EDGES));
-        Scene scene = RayTracer.parseScene(file);
-        RendererTest.assertSamePixels(new Renderer(scene, smooth).render(),
-            new Renderer(scaled(scene, scale), smooth).render());
+        Scene scene = Steps.parseScene(file);
+        RendererTest.assertSamePixels(Renderers.film(scene, smooth),
+            Renderers.film(scaled(scene, scale), smooth));
     }
 
     @ParameterizedTest(name = "{0} times {1}")
     @MethodSource("scenesAndScales")
     void exactShadowsAreTheSameBitForBit(Path file, double scale) throws Exception {
         RenderSettings exact = SMALL.withShadowMethod(new ShadowMethod.Exact());
-        Scene scene = RayTracer.parseScene(file);
-        RendererTest.assertSamePixels(new Renderer(scene, exact).render(),
-            new Renderer(scaled(scene, scale), exact).render());
+        Scene scene = Steps.parseScene(file);
+        RendererTest.assertSamePixels(Renderers.film(scene, exact),
+            Renderers.film(scaled(scene, scale), exact));
     }
 
     private static Scene scaled(Scene scene, double scale) {

@@ -10,13 +10,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.PictureDifference;
-import raytracing.RayTracer;
 import raytracing.SceneText;
+import raytracing.Steps;
 import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.render.PixelSampling.Where;
 import raytracing.scene.Scene;
-import raytracing.shade.Shader;
 
 /**
  * Pictures with N x N rays at edges. Many show black things before a sky of one colour, without a lamp: then the light
@@ -33,15 +32,15 @@ class SmoothEdgesTest {
     }
 
     private static Rendering smooth(Scene scene, int size, int root) {
-        return new Renderer(scene, settings(size, root, Where.EDGES)).draw();
+        return Rendering.of(Renderers.of(scene, settings(size, root, Where.EDGES)));
     }
 
     private static Film everywhere(Scene scene, int size, int root) {
-        return new Renderer(scene, settings(size, root, Where.EVERYWHERE)).render();
+        return Renderers.film(scene, settings(size, root, Where.EVERYWHERE));
     }
 
     private static Film oneRay(Scene scene, int size) {
-        return new Renderer(scene, RenderSettings.DEFAULT.withSize(size, size)).render();
+        return Renderers.film(scene, RenderSettings.DEFAULT.withSize(size, size));
     }
 
     /**
@@ -158,7 +157,7 @@ class SmoothEdgesTest {
         Rendering drawn = smooth(scene, size, 3);
         Film one = oneRay(scene, size);
         Film many = everywhere(scene, size, 3);
-        FirstPass seen = seen(scene, size);
+        OneRayEach seen = seen(scene, size);
         int refined = 0;
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++) {
@@ -171,13 +170,15 @@ class SmoothEdgesTest {
         assertTrue(refined > 100 && refined < size * size / 2, "refined: " + refined);
     }
 
-    private static FirstPass seen(Scene scene, int size) {
-        Renderer renderer = new Renderer(scene, RenderSettings.DEFAULT.withSize(size, size));
-        Shader shader = renderer.shader();
-        FirstPass seen = new FirstPass(Region.whole(size, size));
+    private static OneRayEach seen(Scene scene, int size) {
+        Renderer renderer = Renderers.of(scene, RenderSettings.DEFAULT.withSize(size, size));
+        PixelLight light = new PixelLight(renderer);
+        Region whole = Region.whole(size, size);
+        OneRayEach seen = OneRayEach.findingEdges(whole, whole, new Progress(whole.pixelCount(), PixelSampling.ONE_RAY),
+            DrawingListener.NONE);
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++) {
-                seen.look(renderer, shader, x, y);
+                seen.paint(x, y, light);
             }
         }
         return seen;
@@ -187,7 +188,7 @@ class SmoothEdgesTest {
     @Test
     void aSymmetricSceneIsRefinedSymmetrically() {
         int size = 31;
-        FirstPass seen = seen(SceneText.scene(EYE, "set 0.5 0.5 0.5 1 1", "mtl 1 1 1  0 0 0  0 0 0  1 0",
+        OneRayEach seen = seen(SceneText.scene(EYE, "set 0.5 0.5 0.5 1 1", "mtl 1 1 1  0 0 0  0 0 0  1 0",
             "sph 0 0 2 1 1", "lgt 0 0 0 1 1 1 1 1 0"), size);
         int edges = 0;
         for (int y = 0; y < size; y++) {
@@ -228,15 +229,15 @@ class SmoothEdgesTest {
 
     @Test
     void everywhereMeansEveryPixel() {
-        assertEquals(1, new Renderer(wall("0 1 0", 0.3, 1), settings(SIZE, 2, Where.EVERYWHERE)).draw().refinedShare());
+        assertEquals(1, Rendering.of(Renderers.of(wall("0 1 0", 0.3, 1), settings(SIZE, 2, Where.EVERYWHERE))).refinedShare());
     }
 
     @ParameterizedTest(name = "{0} threads, tiles of {1}")
     @CsvSource({"2, 16", "3, 1", "2, 7", "4, 1000"})
     void thePictureIsTheSameForEveryNumberOfThreadsAndEveryTileSize(int threads, int tileSize) {
         RenderSettings settings = settings(47, 2, Where.EDGES);
-        Rendering expected = new Renderer(RendererTest.SCENE, settings.withWorkers(1, 47)).draw();
-        Rendering found = new Renderer(RendererTest.SCENE, settings.withWorkers(threads, tileSize)).draw();
+        Rendering expected = Rendering.of(Renderers.of(RendererTest.SCENE, settings.withWorkers(1, 47)));
+        Rendering found = Rendering.of(Renderers.of(RendererTest.SCENE, settings.withWorkers(threads, tileSize)));
         RendererTest.assertSamePixels(expected.film(), found.film());
         assertEquals(expected.refinedPixels(), found.refinedPixels());
     }
@@ -244,11 +245,11 @@ class SmoothEdgesTest {
     @ParameterizedTest
     @CsvSource({"EDGES, 1", "EDGES, 2", "EVERYWHERE, 1", "EVERYWHERE, 2"})
     void everyPixelCanBeReplayed(Where where, int root) {
-        Renderer renderer = new Renderer(RendererTest.SCENE, settings(24, root, where));
-        Film film = renderer.render();
+        Renderer renderer = Renderers.of(RendererTest.SCENE, settings(24, root, where));
+        Film film = Renderers.film(renderer);
         for (int y = 0; y < 24; y++) {
             for (int x = 0; x < 24; x++) {
-                assertEquals(film.get(x, y), renderer.pixel(x, y), "pixel " + x + ", " + y);
+                assertEquals(film.get(x, y), Renderers.pixel(renderer, x, y), "pixel " + x + ", " + y);
             }
         }
     }
@@ -256,7 +257,7 @@ class SmoothEdgesTest {
     @ParameterizedTest
     @CsvSource({"EDGES", "EVERYWHERE"})
     void oneByOneRayIsThePictureWithoutTheOption(Where where) {
-        Rendering drawn = new Renderer(RendererTest.SCENE, settings(40, 1, where)).draw();
+        Rendering drawn = Rendering.of(Renderers.of(RendererTest.SCENE, settings(40, 1, where)));
         RendererTest.assertSamePixels(oneRay(RendererTest.SCENE, 40), drawn.film());
         assertEquals(0, drawn.refinedPixels());
     }
@@ -278,7 +279,7 @@ class SmoothEdgesTest {
     @ParameterizedTest
     @MethodSource("raytracing.CommittedScenesTest#scenes")
     void ourScenesLookLikeThoseWithManyRaysEverywhere(Path file) throws Exception {
-        Scene scene = RayTracer.parseScene(file);
+        Scene scene = Steps.parseScene(file);
         PictureDifference difference = new PictureDifference(
             smooth(scene, 100, 3).film().toImage(), everywhere(scene, 100, 3).toImage());
         assertTrue(difference.rootMeanSquare() < 0.75, () -> difference.rootMeanSquare() + " steps");

@@ -1,6 +1,7 @@
 package raytracing.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 import raytracing.math.Vector;
@@ -8,6 +9,10 @@ import raytracing.math.Vector;
 class CameraTest {
     private static Camera from(Vector position, Vector lookAt) {
         return new Camera(position, lookAt, new Vector(0, 2, 0), 1, 1, new Pinhole());
+    }
+
+    private static Camera alongZ(Vector up) {
+        return new Camera(Vector.ZERO, new Vector(0, 0, 9), up, 1, 1, new Pinhole());
     }
 
     @Test
@@ -22,7 +27,19 @@ class CameraTest {
     }
 
     @Test
-    void itsAxesHaveXOnTheRightWhenItLooksAlongZ() {
-        assertEquals(new Vector(1, 0, 0), from(Vector.ZERO, new Vector(0, 0, 9)).basis().u());
+    void itHasXOnItsRightWhenItLooksAlongZ() {
+        assertEquals(new Vector(1, 0, 0), alongZ(new Vector(0, 2, 0)).right());
+    }
+
+    @Test
+    void aSlantedUpIsMadePerpendicular() {
+        Vector right = alongZ(new Vector(0, 1, 5)).right();
+        assertEquals(1, right.length(), 8 * Math.ulp(1.0));
+        assertEquals(1, right.x(), 8 * Math.ulp(1.0));
+    }
+
+    @Test
+    void upAlongTheViewIsRefused() {
+        assertThrows(ArithmeticException.class, () -> alongZ(new Vector(0, 0, -1)).right());
     }
 }

@@ -6,13 +6,18 @@ import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.PictureDifference;
-import raytracing.RayTracer;
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.PixelRays;
-import raytracing.compiled.ShadowMode;
-import raytracing.compiled.Workers;
+import raytracing.Steps;
+import raytracing.ambient.AmbientLight;
+import raytracing.color.MutableColor;
+import raytracing.estimate.AmbientEstimate;
 import raytracing.film.Film;
+import raytracing.parallel.ForkJoin;
+import raytracing.scene.CameraRays;
 import raytracing.scene.Scene;
+import raytracing.shadow.ShadowMethod;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.Queries;
+import raytracing.trace.ShadowMode;
 
 /** What leaving out negligible light does to whole pictures, with the same random numbers on both sides. */
 class LeftOutLightTest {
@@ -21,7 +26,7 @@ class LeftOutLightTest {
     @ParameterizedTest
     @MethodSource("raytracing.CommittedScenesTest#scenes")
     void noPixelDiffersByMoreThanOneStep(Path file) throws Exception {
-        Scene scene = RayTracer.parseScene(file);
+        Scene scene = Steps.parseScene(file);
         PictureDifference difference = new PictureDifference(
             drawn(scene, Shader.NEGLIGIBLE_WEIGHT).toImage(), drawn(scene, 0).toImage());
         assertTrue(difference.shareOffByMoreThan(1) == 0, difference::toString);
@@ -29,15 +34,15 @@ class LeftOutLightTest {
     }
 
     private static Film drawn(Scene scene, double negligibleWeight) {
-        CompiledScene compiled = new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        AmbientLight ambientLight = AmbientEstimate.of(scene, compiled, SIZE, SIZE, 1, Workers.ALONE);
-        Shader shader = new Shader(scene, compiled, ShadowMethod.OF_THE_SCENE, ambientLight,
-            negligibleWeight);
-        PixelRays rays = new PixelRays(scene.camera(), SIZE, SIZE);
+        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        AmbientLight ambientLight = AmbientEstimate.of(scene, compiled, SIZE, SIZE, 1, ForkJoin.sequential());
+        Shader shader = new Shader(scene, compiled, ShadowMethod.OF_THE_SCENE, ambientLight, negligibleWeight,
+            Shader.MOST_SURFACES, new VertexReservoir(VertexReservoir.Scattering.NONE));
+        CameraRays rays = new CameraRays(scene.camera(), SIZE, SIZE);
         Film film = new Film(SIZE, SIZE);
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
-                LightSum light = shader.light(rays, x + 0.5, y + 0.5, (long) y * SIZE + x);
+                MutableColor light = shader.light(rays, x + 0.5, y + 0.5, (long) y * SIZE + x);
                 film.set(x, y, light.red(), light.green(), light.blue());
             }
         }

@@ -11,13 +11,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.SceneText;
+import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.PixelRays;
-import raytracing.compiled.ShadowMode;
-import raytracing.geometry.Ray;
-import raytracing.math.Vector;
+import raytracing.scene.CameraRays;
 import raytracing.scene.Scene;
+import raytracing.shadow.ShadowMethod;
+import raytracing.surface.RayRecord;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.Queries;
+import raytracing.trace.ShadowMode;
 
 /** Every expected value is derived by hand from SPEC's formula; the derivation is the test's last remark. */
 class ShaderTest {
@@ -25,22 +27,34 @@ class ShaderTest {
     private static final String SET = "set 0.1 0.2 0.4   1 10";
     private static final String WHITE_LIGHT = " 1 1 1 ";
 
-    private static Color light(Ray ray, String... lines) {
-        Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE).light(ray, 1).total();
+    private static Color light(String... lines) {
+        return lightSeenBy(CAM, lines);
+    }
+
+    /** What a camera sees in the middle of its picture. */
+    private static Color lightSeenBy(String camera, String... lines) {
+        Scene scene = scene(camera, lines);
+        return light(scene, new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE));
     }
 
     /** With nothing left out: for tests whose light comes from far down a chain of reflections. */
-    private static Color allLight(Ray ray, String... lines) {
-        Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE, 0).light(ray, 1).total();
+    private static Color allLight(String... lines) {
+        Scene scene = scene(CAM, lines);
+        return light(scene, new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE, 0,
+            Shader.MOST_SURFACES, new VertexReservoir(VertexReservoir.Scattering.NONE)));
     }
 
-    private static CompiledScene compiled(Scene scene) {
-        return new CompiledScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+    private static Color light(Scene scene, Shader shader) {
+        return shader.light(new CameraRays(scene.camera(), 1, 1), 0.5, 0.5, 1).toColor();
     }
 
-    private static final Ray ALONG_Z = new Ray(new Vector(0, 0, -5), new Vector(0, 0, 1));
+    private static Scene scene(String camera, String... lines) {
+        return SceneText.scene(camera + "\n" + String.join("\n", lines));
+    }
+
+    private static PreparedScene prepared(Scene scene) {
+        return Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+    }
 
     private static void assertColor(double red, double green, double blue, Color found) {
         assertEquals(red, found.red(), 1e-14);
@@ -50,18 +64,18 @@ class ShaderTest {
 
     @Test
     void aRayThatMeetsNothingSeesTheBackground() {
-        assertColor(0.1, 0.2, 0.4, light(ALONG_Z, SET));
+        assertColor(0.1, 0.2, 0.4, light(SET));
     }
 
     @Test
     void aSurfaceWithoutLightIsBlack() {
-        assertColor(0, 0, 0, light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  10 0", "pln 0 0 1 0 1"));
+        assertColor(0, 0, 0, light(SET, "mtl 1 1 1  1 1 1  0 0 0  10 0", "pln 0 0 1 0 1"));
     }
 
     /** The light stands at the eye's height, 45 degrees aside: N.L = sqrt(1/2), so Kd light N.L. */
     @Test
     void diffuseLightFallsWithTheCosine() {
-        Color found = light(ALONG_Z, SET, "mtl 0.5 1 0.25  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 0.5 1 0.25  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
             "lgt 5 0 -5  1 0.5 2  1 1 0");
         assertColor(0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), found);
     }
@@ -70,14 +84,14 @@ class ShaderTest {
     @Test
     void highlightsFallWithThePowerOfTheCosineToTheMirrorImage() {
         double height = 5 / Math.tan(Math.toRadians(30));
-        Color found = light(ALONG_Z, SET, "mtl 0.2 0.2 0.2  0.8 0.4 0  0 0 0  2 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 0.2 0.2 0.2  0.8 0.4 0  0 0 0  2 0", "pln 0 0 1 0 1",
             "lgt 0 " + height + " -5 " + WHITE_LIGHT + " 0.5 1 0");
         assertColor(0.1 + 0.1, 0.1 + 0.05, 0.1, found);
     }
 
     @Test
     void lightsAddUp() {
-        Color found = light(ALONG_Z, SET, "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
             "lgt 0 0 -5  1 0 0  1 1 0", "lgt 0 0 -9  0 1 0  1 1 0", "lgt 0 0 -1  0 0.5 0.5  1 1 0");
         assertColor(0.5, 0.75, 0.25, found);
     }
@@ -86,7 +100,7 @@ class ShaderTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4})
     void aLightBehindTheSurfaceGivesNeitherDiffuseNorSpecularLight(int exponent) {
-        Color found = light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  " + exponent + " 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 1 1 1  1 1 1  0 0 0  " + exponent + " 0", "pln 0 0 1 0 1",
             "lgt 0 0 7" + WHITE_LIGHT + "1 0 0");
         assertColor(0, 0, 0, found);
     }
@@ -95,16 +109,16 @@ class ShaderTest {
     @ParameterizedTest
     @CsvSource({"2, 0", "1, 0", "0, 1"})
     void aMirrorImageTurnedAwayFromTheEyeShowsNoHighlight(double exponent, double expected) {
-        Ray grazing = new Ray(new Vector(-Math.sqrt(3), 0, -1), new Vector(Math.sqrt(3) / 2, 0, 0.5));
+        String grazing = "cam " + -Math.sqrt(3) + " 0 -1  0 0 0  0 1 0  1 1";
         double sine = Math.sqrt(3) / 2;      // light on the eye's side, as flat as the eye: R.V = -cos 60
-        Color found = light(grazing, SET, "mtl 0 0 0  1 1 1  0 0 0 " + exponent + " 0", "pln 0 0 1 0 1",
+        Color found = lightSeenBy(grazing, SET, "mtl 0 0 0  1 1 1  0 0 0 " + exponent + " 0", "pln 0 0 1 0 1",
             "lgt " + -9 * sine + " 0 -4.5 " + WHITE_LIGHT + " 1 1 0");
         assertColor(expected, expected, expected, found);
     }
 
     @Test
     void aLightExactlyAtTheShadedPointLightsNothing() {
-        Color found = light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  2 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 1 1 1  1 1 1  0 0 0  2 0", "pln 0 0 1 0 1",
             "lgt 0 0 0" + WHITE_LIGHT + "1 1 1");
         assertColor(0, 0, 0, found);
     }
@@ -113,7 +127,7 @@ class ShaderTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.25, 0.9, 1})
     void aHiddenLightIsMultipliedByOneMinusItsShadowIntensity(double shadow) {
-        Color found = light(ALONG_Z, SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 1",
+        Color found = light(SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 1",
             "lgt 0 10 -10" + WHITE_LIGHT + "1 " + shadow + " 0");
         double facing = Math.sqrt(0.5);
         assertColor((1 - shadow) * facing, (1 - shadow) * facing, (1 - shadow) * facing, found);
@@ -122,7 +136,7 @@ class ShaderTest {
     /** Two opaque balls in line: the exercise does not accumulate shadow intensity. */
     @Test
     void severalOccludersCastNoDeeperShadowThanOne() {
-        Color found = light(ALONG_Z, SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 1",
+        Color found = light(SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 1",
             "sph 0 7 -7 0.5 1", "lgt 0 10 -10" + WHITE_LIGHT + "1 0.5 0");
         assertColor(0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), 0.5 * Math.sqrt(0.5), found);
     }
@@ -130,7 +144,7 @@ class ShaderTest {
     /** Two glass balls in line let through 0.5 * 0.25; s = 0.8: 0.2 + 0.8 * 0.125 = 0.3. */
     @Test
     void lightThroughTransparentSurfacesIsWeakenedByEach() {
-        Color found = light(ALONG_Z, SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "mtl 0 0 0  0 0 0  0 0 0  1 0.5",
+        Color found = light(SET, "mtl 1 1 1  0 0 0  0 0 0  1 0", "mtl 0 0 0  0 0 0  0 0 0  1 0.5",
             "mtl 0 0 0  0 0 0  0 0 0  1 0.25", "pln 0 0 1 0 1", "sph 0 5 -5 0.5 2", "box 0 7 -7 0.5 3",
             "lgt 0 10 -10" + WHITE_LIGHT + "1 0.8 0");
         assertColor(0.3 * Math.sqrt(0.5), 0.3 * Math.sqrt(0.5), 0.3 * Math.sqrt(0.5), found);
@@ -139,7 +153,7 @@ class ShaderTest {
     /** behind * 0.75 + lit * 0.25, with a light at the eye: N.L = 1 on both. */
     @Test
     void aTransparentSurfaceMixesItsColourWithWhatIsBehind() {
-        Color found = light(ALONG_Z, SET, "mtl 1 0 0  0 0 0  0 0 0  1 0.75", "mtl 0 1 1  0 0 0  0 0 0  1 0",
+        Color found = light(SET, "mtl 1 0 0  0 0 0  0 0 0  1 0.75", "mtl 0 1 1  0 0 0  0 0 0  1 0",
             "sph 0 0 0 1 1", "pln 0 0 1 3 2", "lgt 0 0 -5" + WHITE_LIGHT + "1 0 0");
         assertColor(0.25, 0.75, 0.75, found);
     }
@@ -148,13 +162,13 @@ class ShaderTest {
     @ParameterizedTest
     @ValueSource(strings = {"sph 0 0 0 1 1", "box 0 0 0 2 1"})
     void aTransparentBodyCountsOnceAlongAStraightRay(String body) {
-        Color found = light(ALONG_Z, "set 1 1 1 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.5", body);
+        Color found = light("set 1 1 1 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.5", body);
         assertColor(0.5, 0.5, 0.5, found);
     }
 
     @Test
     void nestedTransparentBodiesCountOnceEach() {
-        Color found = light(ALONG_Z, "set 1 1 1 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.5",
+        Color found = light("set 1 1 1 1 1", "mtl 0 0 0  0 0 0  0 0 0  1 0.5",
             "sph 0 0 0 1 1", "sph 0 0 0 2 1", "sph 0 0 0 3 1", "box 0 0 0 1 1");
         assertColor(1 / 16.0, 1 / 16.0, 1 / 16.0, found);
     }
@@ -165,7 +179,7 @@ class ShaderTest {
      */
     @Test
     void everySurfaceAlongARayHasRandomNumbersOfItsOwn() {
-        Color found = light(ALONG_Z, "set 0 0 0 8 1", "mtl 1 0 0  0 0 0  0 0 0  1 0.5", "mtl 0 1 0  0 0 0  0 0 0  1 0.5",
+        Color found = light("set 0 0 0 8 1", "mtl 1 0 0  0 0 0  0 0 0  1 0.5", "mtl 0 1 0  0 0 0  0 0 0  1 0.5",
             "mtl 0 0 0  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1", "pln 0 0 1 0 2", "sph 0.3 0 -7 0.4 3",
             "lgt 0 0 -9" + WHITE_LIGHT + "1 1 2");
         assertTrue(found.red() > 0.1 && found.red() < 0.45, "no penumbra");
@@ -175,14 +189,14 @@ class ShaderTest {
     /** Fully transparent with mirror colour 0.25: what is behind, 1 of the background, plus 0.25 of it mirrored. */
     @Test
     void reflectionIsAddedAfterTransparency() {
-        Color found = light(ALONG_Z, SET, "mtl 0 0 0  0 0 0  0.25 0.25 0.25  1 1", "sph 0 0 0 1 1");
+        Color found = light(SET, "mtl 0 0 0  0 0 0  0.25 0.25 0.25  1 1", "sph 0 0 0 1 1");
         assertColor(1.25 * 0.1, 1.25 * 0.2, 1.25 * 0.4, found);
     }
 
     /** The mirror at z = 0 shows the wall at z = -9 behind the eye, lit from the eye: N.L = 1. */
     @Test
     void aMirrorShowsWhatIsBehindTheEye() {
-        Color found = light(ALONG_Z, SET, "mtl 0 0 0  0 0 0  0.5 0.5 1  1 0", "mtl 1 0.5 0.25  0 0 0  0 0 0  1 0",
+        Color found = light(SET, "mtl 0 0 0  0 0 0  0.5 0.5 1  1 0", "mtl 1 0.5 0.25  0 0 0  0 0 0  1 0",
             "pln 0 0 1 0 1", "pln 0 0 1 -9 2", "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
         assertColor(0.5, 0.25, 0.25, found);
     }
@@ -195,7 +209,7 @@ class ShaderTest {
     @ValueSource(ints = {0, 1, 2, 10, 40, 1000})
     void theRecursionLimitReplacesTheNextMirroredRayByTheBackground(int most) {
         double background = 3;
-        Color found = allLight(ALONG_Z, "set 3 3 3 1 " + most, "mtl 1 1 1  0 0 0  0.5 0.5 0.5  1 0", "pln 0 0 1 0 1",
+        Color found = allLight("set 3 3 3 1 " + most, "mtl 1 1 1  0 0 0  0.5 0.5 0.5  1 0", "pln 0 0 1 0 1",
             "pln 0 0 1 -9 1", "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
         double shining = 2 - Math.scalb(1.0, -most);
         double expected = shining + Math.scalb(background, -most - 1);
@@ -209,8 +223,8 @@ class ShaderTest {
         String material = "mtl 1 1 1  0 0 0  " + (mirror + " ").repeat(3) + " 1 0";
         String[] lines = {"set 3 3 3 1 1000", material, "pln 0 0 1 0 1", "pln 0 0 1 -9 1",
             "lgt 0 0 -5 2 2 2 1 1 0"};
-        double all = allLight(ALONG_Z, lines).red();
-        double without = light(ALONG_Z, lines).red();
+        double all = allLight(lines).red();
+        double without = light(lines).red();
         double ahead = 2 / (1 - mirror);     // what the chain shines with from any mirror on, with no end
         assertEquals(all, without, Shader.NEGLIGIBLE_WEIGHT * Math.abs(ahead - 3));
         assertTrue(all != without, "nothing was left out");
@@ -220,14 +234,13 @@ class ShaderTest {
     @ParameterizedTest
     @ValueSource(strings = {"sph 0 0 0 2 1", "box 0 0 0 4 1"})
     void aMirroredBodyReflectsItselfFromInside(String body) {
-        Ray fromTheMiddle = new Ray(Vector.ZERO, new Vector(0, 0, 1));
-        Color found = light(fromTheMiddle, "set 1 1 1 1 3", "mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 0", body);
+        Color found = lightSeenBy("cam 0 0 0  0 0 1  0 1 0  1 1", "set 1 1 1 1 3", "mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 0", body);
         assertColor(1 / 16.0, 1 / 16.0, 1 / 16.0, found);
     }
 
     @Test
     void hugeAndTinyColoursAreMultipliedLikeAnyOthers() {
-        Color found = light(ALONG_Z, SET, "mtl 1e200 0 1e-200  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 1e200 0 1e-200  0 0 0  0 0 0  1 0", "pln 0 0 1 0 1",
             "lgt 0 0 -5 1e100 1 1e-100  1 1 0");
         assertEquals(1e300, found.red(), 1e286);
         assertEquals(0, found.green());
@@ -236,7 +249,7 @@ class ShaderTest {
 
     @Test
     void coloursWhoseProductIsBeyondEveryDoubleLeaveTheOtherChannelsAlone() {
-        Color found = light(ALONG_Z, SET, "mtl 1e300 0 0.5  0 0 0  1e300 1 0  1 0", "pln 0 0 1 0 1",
+        Color found = light(SET, "mtl 1e300 0 0.5  0 0 0  1e300 1 0  1 0", "pln 0 0 1 0 1",
             "lgt 0 0 -5 1e300 1e300 1  1 1 0");
         assertEquals(new Color(Double.MAX_VALUE, 0.2, 0.5), found);
     }
@@ -252,7 +265,7 @@ class ShaderTest {
         for (int i = 1; i <= 20; i++) {
             balls.append("sph 0 0 0 ").append(i / 4.1).append(" 1\n");
         }
-        Color found = light(ALONG_Z, "set 0.25 0.5 1 1 10", balls.toString());
+        Color found = light("set 0.25 0.5 1 1 10", balls.toString());
         assertEquals(2 * found.red(), found.green(), 1e-9 * found.green());
         assertTrue(found.red() > 0.25 * 20);
     }
@@ -268,17 +281,17 @@ class ShaderTest {
         for (int i = 1; i <= count; i++) {
             balls.append("sph 0 0 ").append(4 * i).append(" 1 1\n");
         }
-        Color found = light(ALONG_Z, "set 0.25 0.5 1 1 10", balls.toString());
+        Color found = light("set 0.25 0.5 1 1 10", balls.toString());
         assertColor(0.25 * (1 + count / 2.0), 0.5 * (1 + count / 2.0), 1 + count / 2.0, found);
     }
 
     @Test
     void aShaderForgetsTheRayBefore() {
-        Scene scene = SceneText.scene(CAM, SET, "mtl 0.5 0.5 0.5  0 0 0  0.5 0.5 0.5  1 0.5", "sph 0 0 0 1 1",
+        Scene scene = scene(CAM, SET, "mtl 0.5 0.5 0.5  0 0 0  0.5 0.5 0.5  1 0.5", "sph 0 0 0 1 1",
             "lgt 0 0 -5" + WHITE_LIGHT + "1 1 0");
-        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
-        Color first = shader.light(ALONG_Z, 1).total();
-        assertEquals(first, shader.light(ALONG_Z, 1).total());
+        Shader shader = new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
+        Color first = light(scene, shader);
+        assertEquals(first, light(scene, shader));
     }
 
     /** A lamp far away in the plane, as nearly as doubles can say so, is above or below it by their rounding alone. */
@@ -288,16 +301,16 @@ class ShaderTest {
         for (int i = 0; i < 200; i++) {
             double x = random.nextDouble(-1e6, 1e6);
             double y = random.nextDouble(-1e6, 1e6);
-            Color found = light(ALONG_Z, SET, "mtl 1 1 1  1 1 1  0 0 0  0 0", "pln 0.1 0.2 0.3  0.07 1",
+            Color found = light(SET, "mtl 1 1 1  1 1 1  0 0 0  0 0", "pln 0.1 0.2 0.3  0.07 1",
                 "lgt " + x + " " + y + " " + (0.07 - 0.1 * x - 0.2 * y) / 0.3 + WHITE_LIGHT + "1 0 0");
             assertEquals(Color.BLACK, found);
         }
     }
 
     private static Color lightInAmbientLight(Color ambientLight, String... lines) {
-        Scene scene = SceneText.scene(CAM + "\n" + String.join("\n", lines));
-        return new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.even(ambientLight))
-            .light(ALONG_Z, 1).total();
+        Scene scene = scene(CAM, lines);
+        return light(scene,
+            new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.even(ambientLight)));
     }
 
     /** Diffuse 0.5 of a light of 1 straight ahead, and ambient times the room's light. */
@@ -331,9 +344,9 @@ class ShaderTest {
     }
 
     private static long fingerprint(double x, double y, String... lines) {
-        Scene scene = SceneText.scene(CAM + "\n" + SET + "\n" + String.join("\n", lines));
-        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
-        shader.light(new Ray(new Vector(x, y, -5), new Vector(0, 0, 1)), 1);
+        Scene scene = scene("cam " + x + " " + y + " -5  " + x + " " + y + " 0  0 1 0  1 1\n" + SET, lines);
+        Shader shader = new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
+        light(scene, shader);
         return shader.fingerprint();
     }
 
@@ -387,8 +400,8 @@ class ShaderTest {
     @Test
     void theSkyHasAnotherFingerprintThanTheBlackBesideALens() {
         Scene scene = SceneText.scene("cam 0 0 0  0 0 1  0 1 0  0.1 2 true 0", "set 0 0 0  1 1");
-        Shader shader = new Shader(scene, compiled(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
-        PixelRays rays = new PixelRays(scene.camera(), 100, 100);
+        Shader shader = new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE);
+        CameraRays rays = new CameraRays(scene.camera(), 100, 100);
         shader.light(rays, 50, 50, 1);
         long sky = shader.fingerprint();
         shader.light(rays, 1, 1, 1);

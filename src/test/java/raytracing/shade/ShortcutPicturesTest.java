@@ -9,15 +9,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import raytracing.RayTracer;
-import raytracing.compiled.CompiledScene;
-import raytracing.compiled.PixelRays;
-import raytracing.compiled.ShadowMode;
-import raytracing.compiled.Shortcut;
-import raytracing.compiled.Workers;
+import raytracing.Steps;
+import raytracing.ambient.AmbientLight;
+import raytracing.parallel.ForkJoin;
+import raytracing.scene.CameraRays;
 import raytracing.scene.Scene;
+import raytracing.shadow.ShadowMethod;
 import raytracing.timed.Nest;
 import raytracing.timed.Sphereflake;
+import raytracing.shadow.ShadowMethod;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.ShadowMode;
+import raytracing.trace.Shortcut;
 
 /** Whole pictures with and without the shortcuts: the same light in every pixel, to the last bit. */
 class ShortcutPicturesTest {
@@ -27,7 +30,7 @@ class ShortcutPicturesTest {
     @ParameterizedTest
     @MethodSource("raytracing.CommittedScenesTest#scenes")
     void committedScenesAreTheSameWithoutShortcuts(Path file) throws Exception {
-        assertSamePictures(RayTracer.parseScene(file), NONE, SIZE);
+        assertSamePictures(Steps.parseScene(file), NONE, SIZE);
     }
 
     @ParameterizedTest
@@ -52,17 +55,17 @@ class ShortcutPicturesTest {
                                            int size) {
         Shader all = shader(scene, mode, method, EnumSet.allOf(Shortcut.class));
         Shader fewer = shader(scene, mode, method, some);
-        PixelRays rays = new PixelRays(scene.camera(), size, size);
+        CameraRays rays = new CameraRays(scene.camera(), size, size);
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++) {
                 long key = (long) y * size + x;
-                assertEquals(fewer.light(rays, x + 0.5, y + 0.5, key).total(),
-                    all.light(rays, x + 0.5, y + 0.5, key).total(), "pixel " + x + ", " + y);
+                assertEquals(fewer.light(rays, x + 0.5, y + 0.5, key).toColor(),
+                    all.light(rays, x + 0.5, y + 0.5, key).toColor(), "pixel " + x + ", " + y);
             }
         }
     }
 
     private static Shader shader(Scene scene, ShadowMode mode, ShadowMethod method, Set<Shortcut> shortcuts) {
-        return new Shader(scene, new CompiledScene(scene, mode, shortcuts, Workers.ALONE), method, AmbientLight.NONE);
+        return new Shader(scene, new PreparedScene(scene, mode, shortcuts, ForkJoin.sequential()), method, AmbientLight.NONE);
     }
 }

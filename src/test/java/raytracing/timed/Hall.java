@@ -3,8 +3,6 @@ package raytracing.timed;
 import java.util.List;
 import java.util.stream.IntStream;
 import raytracing.color.Color;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
@@ -12,6 +10,8 @@ import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * 20 concentric mirrors that are wholly transparent, seen from inside the innermost: every ray goes on behind each of

@@ -4,16 +4,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import raytracing.color.Color;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * 25 transparent balls in five nests of five, each ball inside the one before and each a faint mirror, over a floor. A
@@ -55,7 +56,7 @@ public final class Nest {
         double around = 2 * Math.PI * (ball / BALLS_IN_A_NEST) / NESTS;
         double shifted = GOLDEN_ANGLE * ball;
         Vector nest = new Vector(StrictMath.cos(around), 0, StrictMath.sin(around)).times(RADIUS_OF_THE_RING);
-        return NineDigits.of(nest.plus(SHIFT, new Vector(StrictMath.cos(shifted), StrictMath.sin(shifted), 0)));
+        return NineDigits.of(Vectors.plus(nest, SHIFT, new Vector(StrictMath.cos(shifted), StrictMath.sin(shifted), 0)));
     }
 
     private static List<Material> materials() {
@@ -67,10 +68,11 @@ public final class Nest {
     }
 
     private static Material shell(Color diffuse, double reflection, double transparency) {
-        return new Material(diffuse, Color.WHITE, Color.WHITE.times(reflection), 40, transparency, Color.BLACK);
+        return new Material(diffuse, Color.WHITE, new Color(reflection, reflection, reflection), 40, transparency,
+            Color.BLACK);
     }
 
     private static Light lamp(double x, double y, double z) {
-        return new Light(new Vector(x, y, z), Color.WHITE.times(0.5), 1, 1, 1.5);
+        return new Light(new Vector(x, y, z), new Color(0.5, 0.5, 0.5), 1, 1, 1.5);
     }
 }

@@ -5,8 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
+import raytracing.color.Color;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 class NestTest {
     private static List<Sphere> balls(List<Surface> surfaces) {
@@ -32,7 +33,9 @@ class NestTest {
     void ballsAreTransparentFaintMirrors() {
         Nest.scene().materials().stream().skip(1).forEach(material -> {
             assertTrue(material.transparency() >= 0.7 && material.transparency() <= 0.8);
-            assertTrue(material.reflection().max() >= 0.1 && material.reflection().max() <= 0.2);
+            double mirrored = material.reflection().red();
+            assertEquals(new Color(mirrored, mirrored, mirrored), material.reflection());
+            assertTrue(mirrored >= 0.1 && mirrored <= 0.2);
         });
     }
 
@@ -40,6 +43,6 @@ class NestTest {
     void theHallHasTwentyWallsThatPassAndMirrorAllLight() {
         assertEquals(20, balls(Hall.scene().surfaces()).stream().map(Sphere::radius).distinct().count());
         assertEquals(1, Hall.scene().materials().get(0).transparency());
-        assertEquals(1, Hall.scene().materials().get(0).reflection().max());
+        assertEquals(Color.WHITE, Hall.scene().materials().get(0).reflection());
     }
 }

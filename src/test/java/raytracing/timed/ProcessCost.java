@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
  * What a whole process took.
  *
  * @param wallSeconds from its start to its end
- * @param cpuSeconds of all its threads, in the program and in the system; empty if nobody could say
- * @param peakMebibytes most memory that it held at once; empty if nobody could say
+ * @param cpuSeconds of all its threads, in the program and in the system; empty if it is not known
+ * @param peakMebibytes most memory that it held at once; empty if it is not known
  */
 public record ProcessCost(double wallSeconds, OptionalDouble cpuSeconds, OptionalDouble peakMebibytes) {
     /** What {@link #of} reads: user seconds, system seconds, kibibytes. */

@@ -1,10 +1,6 @@
 package raytracing.timed;
 
 import raytracing.color.Color;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
@@ -12,6 +8,10 @@ import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /** The text of a scene, from which the parser makes the same scene again, to the last bit. */
 public final class SceneLines {
@@ -27,7 +27,7 @@ public final class SceneLines {
         lines.settings(scene.settings());
         scene.materials().forEach(lines::material);
         Writer writer = lines.new Writer();
-        scene.surfaces().forEach(surface -> surface.presentTo(writer));
+        scene.surfaces().forEach(surface -> surface.accept(writer));
         scene.lights().forEach(lines::light);
         return lines.text.toString();
     }
@@ -56,20 +56,23 @@ public final class SceneLines {
             .with(light.shadowIntensity()).with(light.width());
     }
 
-    private final class Writer implements Surface.Receiver {
+    private final class Writer implements Surface.Visitor<Boolean> {
         @Override
-        public void sphere(Sphere sphere) {
+        public Boolean visit(Sphere sphere) {
             line("sph").with(sphere.centre()).with(sphere.radius()).withMaterial(sphere);
+            return true;
         }
 
         @Override
-        public void plane(Plane plane) {
+        public Boolean visit(Plane plane) {
             line("pln").with(plane.normal()).with(plane.offset()).withMaterial(plane);
+            return true;
         }
 
         @Override
-        public void box(Box box) {
+        public Boolean visit(Box box) {
             line("box").with(box.centre()).with(box.edge()).withMaterial(box);
+            return true;
         }
     }
 

@@ -8,15 +8,15 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import raytracing.RayTracer;
 import raytracing.SceneText;
+import raytracing.Steps;
 import raytracing.scene.Scene;
 
 class SceneLinesTest {
     @ParameterizedTest
     @MethodSource("raytracing.CommittedScenesTest#scenes")
     void whatIsWrittenIsReadAsTheSameScene(Path file) throws Exception {
-        Scene scene = RayTracer.parseScene(file);
+        Scene scene = Steps.parseScene(file);
         assertEquals(scene, SceneText.scene(SceneLines.of(scene)));
     }
 

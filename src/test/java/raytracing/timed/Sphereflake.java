@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import raytracing.color.Color;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
-import raytracing.math.Basis;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * The "balls" of Haines, A Proposal for Standard Graphics Environments, IEEE Computer Graphics and Applications 7(11),
@@ -38,18 +38,17 @@ public final class Sphereflake {
 
     private record Ball(Vector centre, double radius, Vector axis) {
         Stream<Ball> children() {
-            Basis basis = Basis.around(axis);
+            Vectors.Axes basis = Vectors.around(axis);
             return Stream.concat(
                 IntStream.range(0, 6).mapToObj(i -> child(basis, 60 * i, 1, 0)),
                 IntStream.range(0, 3).mapToObj(i -> child(basis, 30 + 120 * i, UPPER_RADIUS, UPPER_HEIGHT)));
         }
 
-        private Ball child(Basis basis, int degrees, double fromAxis, double alongAxis) {
+        private Ball child(Vectors.Axes basis, int degrees, double fromAxis, double alongAxis) {
             double angle = StrictMath.toRadians(degrees);
-            Vector direction = basis.u().times(fromAxis * StrictMath.cos(angle))
-                .plus(fromAxis * StrictMath.sin(angle), basis.v())
-                .plus(alongAxis, axis);
-            return new Ball(centre.plus(radius * (1 + CHILD), direction), radius * CHILD, direction);
+            Vector direction = Vectors.plus(Vectors.plus(basis.u().times(fromAxis * StrictMath.cos(angle)),
+                fromAxis * StrictMath.sin(angle), basis.v()), alongAxis, axis);
+            return new Ball(Vectors.plus(centre, radius * (1 + CHILD), direction), radius * CHILD, direction);
         }
 
         Surface sphere() {
@@ -88,6 +87,6 @@ public final class Sphereflake {
     }
 
     private static Color grey(double share) {
-        return Color.WHITE.times(share);
+        return new Color(share, share, share);
     }
 }

@@ -8,12 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
 import raytracing.scene.Scene;
+import raytracing.surface.Sphere;
 
 class SphereflakeTest {
     /** Coordinates below 2 of nine digits, a few in each sum. */
@@ -24,21 +21,7 @@ class SphereflakeTest {
 
     private static List<Sphere> balls(Scene scene) {
         List<Sphere> spheres = new ArrayList<>();
-        scene.surfaces().forEach(surface -> surface.presentTo(new Surface.Receiver() {
-            @Override
-            public void sphere(Sphere sphere) {
-                spheres.add(sphere);
-            }
-
-            @Override
-            public void plane(Plane floor) {
-            }
-
-            @Override
-            public void box(Box none) {
-                throw new AssertionError(none);
-            }
-        }));
+        scene.surfaces().stream().filter(Sphere.class::isInstance).map(Sphere.class::cast).forEach(spheres::add);
         return spheres;
     }
 

@@ -1,19 +1,20 @@
 package raytracing.timed;
 
 import raytracing.color.Color;
-import raytracing.geometry.Box;
-import raytracing.geometry.Plane;
-import raytracing.geometry.Sphere;
-import raytracing.geometry.Surface;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.scene.Camera;
 import raytracing.scene.Light;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
- * A scene in POV-Ray's scene description language: as much work, and nearly the same picture. What POV-Ray has no word
- * for is left out: the share of its light that an obstacle stops, each light's own highlights, the fisheye. Its lights
+ * A scene in POV-Ray's scene description language: as much work, and nearly the same picture. What POV-Ray cannot
+ * express is left out: the share of its light that an obstacle stops, each light's own highlights, the fisheye. Its lights
  * are round where ours are square.
  */
 public final class ToPovRay {
@@ -41,7 +42,7 @@ public final class ToPovRay {
             translation.material(i, scene.materials().get(i));
         }
         Writer writer = translation.new Writer();
-        scene.surfaces().forEach(surface -> surface.presentTo(writer));
+        scene.surfaces().forEach(surface -> surface.accept(writer));
         return translation.text.toString();
     }
 
@@ -76,23 +77,26 @@ public final class ToPovRay {
             + " reflection { rgb " + triple(material.reflection()) + " } } }");
     }
 
-    private final class Writer implements Surface.Receiver {
+    private final class Writer implements Surface.Visitor<Boolean> {
         @Override
-        public void sphere(Sphere sphere) {
+        public Boolean visit(Sphere sphere) {
             line("sphere { " + triple(sphere.centre()) + ", " + sphere.radius() + texture(sphere));
+            return true;
         }
 
         /** POV-Ray's offset is a length: it makes the normal a unit vector. */
         @Override
-        public void plane(Plane plane) {
+        public Boolean visit(Plane plane) {
             double offset = plane.offset() / plane.normal().length();
             line("plane { " + triple(plane.normal()) + ", " + offset + texture(plane));
+            return true;
         }
 
         @Override
-        public void box(Box box) {
+        public Boolean visit(Box box) {
             Vector half = new Vector(box.edge(), box.edge(), box.edge()).times(0.5);
-            line("box { " + triple(box.centre().minus(half)) + ", " + triple(box.centre().plus(half)) + texture(box));
+            line("box { " + triple(box.centre().minus(half)) + ", " + triple(Vectors.plus(box.centre(), half)) + texture(box));
+            return true;
         }
     }
 

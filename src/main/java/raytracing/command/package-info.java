@@ -1,2 +1,0 @@
-/** What the words of a command line ask for. */
-package raytracing.command;

@@ -1,0 +1,2 @@
+/** The window that shows a picture while it is drawn. */
+package raytracing.preview;

@@ -1,0 +1,68 @@
+package raytracing.program;
+
+import java.util.Locale;
+import raytracing.ambient.AmbientLight;
+import raytracing.color.Color;
+import raytracing.film.ImageFormat;
+import raytracing.render.Drawing;
+import raytracing.render.Region;
+import raytracing.render.RenderSettings;
+
+/** The sentences about one picture, from the first to the summary. */
+public record Messages(String output, ImageFormat format, RenderSettings settings) {
+    private static final long MILLION = 1_000_000;
+
+    /** Longer times are given in seconds. */
+    private static final long MOST_MILLISECONDS = 9_999;
+
+    String begun(String scene) {
+        return output + ": drawing " + pixels() + " of " + scene + " with " + settings.threads()
+            + (settings.threads() == 1 ? " thread" : " threads");
+    }
+
+    /** The summary of a whole picture that took some nanoseconds since the program began. */
+    String finished(Drawing drawing, AmbientLight ambientLight, long nanoseconds) {
+        long milliseconds = nanoseconds / MILLION;
+        String time = milliseconds <= MOST_MILLISECONDS ? milliseconds + " ms" : milliseconds / 1000 + " s";
+        return output + ": " + pixels() + " in " + time + refinement(drawing) + ambience(ambientLight);
+    }
+
+    /** Why a picture is not whole, and what its file contains now. */
+    String stopped(Drawing drawing) {
+        String share = output + ": stopped at " + (int) (100 * drawing.progress().share()) + " %, ";
+        return share + (!drawing.isPartial() ? "the file is as it was" : "what was finished is in the file; the rest is "
+            + (format.showsGaps(drawing) ? "transparent" : "in the colour of the background"));
+    }
+
+    /** Whether a finished picture shows no surface; false for a region of a picture, which may well show none. */
+    public boolean isOfNothing(Drawing drawing) {
+        return drawing.counts().surfacesMet() == 0 && isWhole();
+    }
+
+    static String nothingMet(String scene) {
+        return scene + ": warning: no surface is in the picture; does the camera look towards them?";
+    }
+
+    private boolean isWhole() {
+        return settings.region().equals(Region.whole(settings.width(), settings.height()));
+    }
+
+    private String pixels() {
+        Region region = settings.region();
+        String size = region.width() + " x " + region.height() + " pixels";
+        return isWhole() ? size
+            : size + " at " + region.left() + ", " + region.top() + " of " + settings.width() + " x " + settings.height();
+    }
+
+    private String refinement(Drawing drawing) {
+        int root = settings.sampling().root();
+        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays",
+            100.0 * drawing.progress().refined() / settings.region().pixelCount(), root, root);
+    }
+
+    private static String ambience(AmbientLight light) {
+        Color mean = light.mean();
+        return light.isNone() ? "" : String.format(Locale.ROOT, ", in ambient light of %.3f %.3f %.3f",
+            mean.red(), mean.green(), mean.blue());
+    }
+}

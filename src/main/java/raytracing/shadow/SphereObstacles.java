@@ -1,0 +1,239 @@
+package raytracing.shadow;
+
+import raytracing.area.ConvexShadows;
+import raytracing.math.Basis;
+import raytracing.surface.Segment;
+import raytracing.surface.Sphere;
+import raytracing.trace.CrossedSurfaces;
+import raytracing.trace.PreparedScene;
+
+/**
+ * The spheres that some lines of a shaft cross and others may not.
+ *
+ * <p>With m the way from the hit to the centre, in the shaft's coordinates, and e the line's end, the line meets the sphere if
+ * (m . e)^2 &gt;= (m . m - r r)(e . e): its cosine to the axis of the cone around the sphere is large enough. That is a
+ * product and a sum less than the world's coordinates need, which also have to be found first.
+ *
+ * <p>The shadow of a sphere between hit and square is the section of a cone. A sphere that reaches through the plane of the
+ * square hides what is behind its tangent circle in that cone, and the disc that the plane cuts out of it; a sphere around the
+ * hit hides all but the disc.
+ */
+final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
+    /** In the shaft's coordinates, as far as lengths are meant. */
+    static final class SphereObstacle extends Obstacle {
+        private Sphere sphere;
+
+        /** The way to the centre along x, along y, and along z times the shaft's depth. */
+        private double across;
+        private double up;
+        private double ahead;
+
+        /** The squared way to the centre less the squared radius. */
+        private double power;
+
+        /** The error of the line's test; infinite where the test in the world decides. */
+        private double doubt;
+
+        /** Of a sphere that the hit touches, 1 if it does so from outside and -1 from inside; {@link #UNKNOWN} of others. */
+        private int side;
+    }
+
+    private static final int UNKNOWN = 0;
+
+    /** 64 u, with u = 2^-53: axes that are off by 8 ulp, twice, and what rounding takes from the squares. */
+    private static final double POWER_ERROR = 0x1p-47;
+
+    private final Sphere[] spheres;
+
+    SphereObstacles(Shaft shaft, PreparedScene scene) {
+        super(shaft, scene, scene.spheres(), new SphereObstacle[0]);
+        spheres = scene.spheres().spheres();
+    }
+
+    @Override
+    SphereObstacle create() {
+        return new SphereObstacle();
+    }
+
+    @Override
+    void sort(int[] numbers, int from, int to, CrossedSurfaces certain) {
+        Basis axes = shaft.axes;
+        double px = shaft.hit.x();
+        double py = shaft.hit.y();
+        double pz = shaft.hit.z();
+        double wx = axes.wx();
+        double wy = axes.wy();
+        double wz = axes.wz();
+        double depth = shaft.depth;
+        int surfaceLeft = shaft.hit.surface();
+        for (int i = from; i < to && !certain.isDark(); i++) {
+            Sphere sphere = spheres[i];
+            double fx = sphere.centre().x() - px;
+            double fy = sphere.centre().y() - py;
+            double fz = sphere.centre().z() - pz;
+            double mz = fx * wx + fy * wy + fz * wz;
+            double slack = shaft.slack(fx, fy, fz, sphere.radius());
+            double grown = sphere.radius() + slack;
+            if (mz + grown < 0 || mz - grown > depth || numbers[i] == surfaceLeft) {
+                continue;                    // before or behind the shaft
+            }
+            double mx = fx * axes.ux() + fy * axes.uy() + fz * axes.uz();
+            double my = fx * axes.vx() + fy * axes.vy() + fz * axes.vz();
+            double wall = shaft.halfWidth * mz + grown * shaft.slant;
+            if (Math.abs(mx) * depth <= wall && Math.abs(my) * depth <= wall) {
+                sort(sphere, numbers[i], mx, my, mz, slack, certain);
+            }
+        }
+    }
+
+    /**
+     * Sorts a sphere that the shaft may touch.
+     *
+     * @param mx way from the hit to the centre, in the shaft's coordinates
+     * @param slack by how much the sphere may be larger or smaller, rounding of all sides included
+     */
+    private void sort(Sphere sphere, int number, double mx, double my, double mz, double slack, CrossedSurfaces certain) {
+        double r = sphere.radius();
+        double grown = r + slack;
+        double shrunk = r - slack;
+        double squaredDistance = mx * mx + my * my + mz * mz;
+        double power = squaredDistance - r * r;
+        boolean isOutside = squaredDistance > grown * grown;
+        if (isOutside && mz + grown < shaft.depth) {
+            if (hidesSquare(mx, my, mz, squaredDistance, shrunk)) {
+                certain.add(number);
+            } else {
+                double error = squaredDistance * shaft.cornerDistance
+                    * (Shaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin);
+                add(sphere, number, mx, my, mz, power, doubt(error), UNKNOWN);
+            }
+            return;
+        }
+        double gap = shaft.depth - mz;
+        boolean isInside = shrunk > 0 && squaredDistance < shrunk * shrunk;
+        boolean containsSquare = shrunk > 0 && squaredFarthest(mx, my) + gap * gap < shrunk * shrunk;
+        if (isOutside && containsSquare || isInside && squaredBeside(mx, my) + gap * gap > grown * grown) {
+            certain.add(number);
+        } else if (!(isInside && containsSquare)) {
+            // certainly on the wall, within the hit's error
+            boolean touches = Math.abs(power) + POWER_ERROR * squaredDistance
+                <= 2 * shaft.hit.error() * Math.sqrt(squaredDistance);
+            double error = grown * (Shaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin)
+                + slack * shaft.cornerDistance;
+            int side = touches ? sphere.side(shaft.hit.origin(), number) : UNKNOWN;
+            add(sphere, number, mx, my, mz, power, side > 0 ? doubt(error) : ALWAYS_IN_DOUBT, side);
+        }
+    }
+
+    private void add(Sphere sphere, int number, double mx, double my, double mz, double power, double doubt, int side) {
+        SphereObstacle obstacle = add(number);
+        obstacle.sphere = sphere;
+        obstacle.across = mx;
+        obstacle.up = my;
+        obstacle.ahead = mz * shaft.depth;
+        obstacle.power = power;
+        obstacle.doubt = doubt;
+        obstacle.side = side;
+    }
+
+    /** For a sphere between hit and square: whether it is met on the way to all four corners, and so on all ways. */
+    private boolean hidesSquare(double mx, double my, double mz, double squaredDistance, double shrunk) {
+        double least = mz * shaft.depth - shaft.halfWidth * (Math.abs(mx) + Math.abs(my));
+        double squaredCorner = shaft.cornerDistance * shaft.cornerDistance;
+        double limit = (squaredDistance - shrunk * shrunk + Shaft.ROUNDING * squaredDistance) * squaredCorner;
+        return shrunk > 0 && least > 0 && least * least > limit;
+    }
+
+    /** How far a centre is beside the square, seen along the shaft's axis, squared. */
+    private double squaredBeside(double mx, double my) {
+        double besideX = Math.max(Math.abs(mx) - shaft.halfWidth, 0);
+        double besideY = Math.max(Math.abs(my) - shaft.halfWidth, 0);
+        return besideX * besideX + besideY * besideY;
+    }
+
+    /** The same from the farthest corner of the square. */
+    private double squaredFarthest(double mx, double my) {
+        double farX = Math.abs(mx) + shaft.halfWidth;
+        double farY = Math.abs(my) + shaft.halfWidth;
+        return farX * farX + farY * farY;
+    }
+
+    @Override
+    void addCrossed(double x, double y, CrossedSurfaces crossed) {
+        double squaredLength = x * x + y * y + shaft.depth * shaft.depth;
+        for (int i = 0; i < count && !crossed.isDark(); i++) {
+            SphereObstacle obstacle = obstacles[i];
+            double product = x * obstacle.across + y * obstacle.up + obstacle.ahead;
+            double inside = obstacle.side == UNKNOWN ? product * product - obstacle.power * squaredLength : product;
+            if (Math.abs(inside) > obstacle.doubt ? inside > 0 && product > 0 : isCrossed(obstacle, shaft.segmentTo(x, y))) {
+                crossed.add(obstacle.number);
+            }
+        }
+    }
+
+    private static boolean isCrossed(SphereObstacle obstacle, Segment line) {
+        return obstacle.side < 0 ? obstacle.sphere.isLeft(line) : obstacle.sphere.isCrossed(line, obstacle.number);
+    }
+
+    @Override
+    void addShadow(SphereObstacle obstacle, double passing, ConvexShadows shadows) {
+        double mx = obstacle.across;
+        double my = obstacle.up;
+        double mz = obstacle.ahead / shaft.depth;
+        double r = obstacle.sphere.radius();
+        double slack = shaft.margin + 2 * Shaft.ROUNDING * (Math.abs(mx) + Math.abs(my) + Math.abs(mz) + r);
+        double distance = Math.sqrt(mx * mx + my * my + mz * mz);
+        if (distance > r + slack) {
+            addShadowFromOutside(mx, my, mz, r, (distance - r) * (distance + r), passing, shadows);
+            return;
+        }
+        int side = distance < r - slack ? -1 : obstacle.sphere.side(shaft.hit.origin(), obstacle.number);
+        if (side > 0) {
+            shadows.beginFigure(passing, 1);    // all that is behind the wall at the hit
+            shadows.addLine(mx, my, mz * shaft.depth);
+        } else if (side < 0) {
+            addShadowOfAllBut(mx, my, mz, r, 0, 0, 1, passing, shadows);
+        } else {
+            addShadowOfAllBut(mx, my, mz, r, mx, my, mz * shaft.depth, passing, shadows);
+        }
+    }
+
+    /**
+     * Of a sphere that the hit is not in, the disc matters only where the square is not wholly behind the tangent circle.
+     * A sphere behind the square throws no shadow on it.
+     */
+    private void addShadowFromOutside(double mx, double my, double mz, double r, double power, double passing,
+                                      ConvexShadows shadows) {
+        double gap = mz - shaft.depth;
+        double behindCircle = mz * shaft.depth - power - shaft.halfWidth * (Math.abs(mx) + Math.abs(my));
+        if (Math.abs(gap) < r && behindCircle < 0) {
+            shadows.discs().addThroughPlane(mx, my, mz, r, Math.sqrt((r - gap) * (r + gap)), passing);
+        } else if (gap < r) {
+            shadows.balls().add(mx, my, mz, r, passing);
+        }
+    }
+
+    /** Adds a shadow of everything on the inner side of a line but the disc that the square's plane cuts out of a sphere. */
+    private void addShadowOfAllBut(double mx, double my, double mz, double r, double lineA, double lineB, double lineC,
+                                   double passing, ConvexShadows shadows) {
+        double gap = mz - shaft.depth;
+        double squaredRadius = (r - gap) * (r + gap);
+        if (squaredBeside(mx, my) < squaredRadius) {
+            shadows.discs().addAround(mx, my, Math.sqrt(squaredRadius), passing, lineA, lineB, lineC);
+        } else {
+            shadows.beginFigure(passing, 1);
+            shadows.addLine(lineA, lineB, lineC);
+        }
+    }
+
+    /** Adds the shadow of the sphere that was hit: everything on the inner side of a line but what is in the sphere. */
+    void addOwnShadow(Sphere sphere, double lineA, double lineB, double lineC, double passing, ConvexShadows shadows) {
+        Basis axes = shaft.axes;
+        double fx = sphere.centre().x() - shaft.hit.x();
+        double fy = sphere.centre().y() - shaft.hit.y();
+        double fz = sphere.centre().z() - shaft.hit.z();
+        addShadowOfAllBut(fx * axes.ux() + fy * axes.uy() + fz * axes.uz(),
+            fx * axes.vx() + fy * axes.vy() + fz * axes.vz(), fx * axes.wx() + fy * axes.wy() + fz * axes.wz(),
+            sphere.radius(), lineA, lineB, lineC, passing, shadows);
+    }
+}

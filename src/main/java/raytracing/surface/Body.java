@@ -1,0 +1,26 @@
+package raytracing.surface;
+
+import raytracing.hierarchy.Bounds;
+import raytracing.math.Vector;
+
+/** A surface that bounds a convex body. */
+public sealed interface Body extends Surface permits Sphere, Box {
+    /** Sets the i-th bounds to those of this body. */
+    void bound(Bounds bounds, int i);
+
+    /**
+     * Distance to the far wall, by doubles alone, for a ray that starts on the wall and goes inwards.
+     *
+     * @return above 0, or {@link #UNDECIDED}
+     */
+    double farWall(Ray ray);
+
+    /** Whether a segment that starts on the wall and goes inwards ends strictly outside. */
+    boolean isLeft(Segment segment);
+
+    /** Whether a ball of a radius of at least 0 is certainly outside. */
+    boolean isApartFrom(double x, double y, double z, double radius);
+
+    /** How deep a point is inside the body, rounded: 0 on the wall, below 0 outside. */
+    double depth(Vector point);
+}

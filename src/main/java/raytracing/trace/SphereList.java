@@ -1,0 +1,68 @@
+package raytracing.trace;
+
+import java.util.Optional;
+import raytracing.hierarchy.Hierarchy;
+import raytracing.surface.Ray;
+import raytracing.surface.RayOrigin;
+import raytracing.surface.Segment;
+import raytracing.surface.Sphere;
+
+/** The spheres of a scene. */
+public final class SphereList extends SurfaceList {
+    private final Sphere[] spheres;
+
+    SphereList(Sphere[] spheres, int[] numbers, Optional<Hierarchy> hierarchy) {
+        super(numbers, hierarchy);
+        this.spheres = spheres;
+    }
+
+    public Sphere[] spheres() {
+        return spheres;
+    }
+
+    @Override
+    void offerCrossings(Ray ray, int from, int to, Crossings crossings) {
+        int[] number = numbers();
+        Sphere[] listed = spheres;
+        RayOrigin o = ray.origin();
+        int start = o.surface();
+        double ox = o.x();
+        double oy = o.y();
+        double oz = o.z();
+        double dx = ray.dx();
+        double dy = ray.dy();
+        double dz = ray.dz();
+        double error = o.error();
+        for (int i = from; i < to; i++) {
+            Sphere sphere = listed[i];
+            if (!sphere.isPlainlyMissed(ox, oy, oz, dx, dy, dz, error) && number[i] != start) {
+                crossings.offer(sphere.firstCrossing(ray, crossings.latest()), number[i]);
+            }
+        }
+    }
+
+    @Override
+    int addCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
+        int[] number = numbers();
+        Sphere[] listed = spheres;
+        RayOrigin o = segment.start();
+        int start = o.surface();
+        double ox = o.x();
+        double oy = o.y();
+        double oz = o.z();
+        double dx = segment.dx();
+        double dy = segment.dy();
+        double dz = segment.dz();
+        double error = segment.error();
+        int opaque = last;
+        for (int i = from; i < to && !crossed.isDark(); i++) {
+            Sphere sphere = listed[i];
+            if (!sphere.isPlainlyMissed(ox, oy, oz, dx, dy, dz, error) && number[i] != start
+                    && sphere.isCrossedClosely(segment, number[i])) {
+                crossed.add(number[i]);
+                opaque = crossed.isDark() ? i : opaque;
+            }
+        }
+        return opaque;
+    }
+}

@@ -1,0 +1,219 @@
+package raytracing.estimate;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.SceneText;
+import raytracing.Shared;
+import raytracing.ambient.AmbientLight;
+import raytracing.color.Color;
+import raytracing.film.Film;
+import raytracing.render.RenderSettings;
+import raytracing.render.Renderer;
+import raytracing.render.Renderers;
+import raytracing.scene.CameraRays;
+import raytracing.scene.Scene;
+import raytracing.trace.Queries;
+import raytracing.trace.RayQuery;
+import raytracing.trace.ShadowMode;
+
+/** The estimate beside the truth: on paper where there is one, by brute force elsewhere. */
+class AmbientEstimateTest {
+    /** No pixel looks along an edge of a room: there the truth has two values. */
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(23, 20);
+
+    /** The truth's own error, a channel: 460 pixels with 2 x 196 rays each. */
+    private static final int ROOT = 14;
+    private static final int ALL_BOUNCES = 1000;
+    private static final double MOST_ERROR_OF_MEAN = 0.03;
+
+    /** A truth of a scene, made once: the white one for means, the coloured one for pictures. */
+    private static final Map<String, AmbientPart> TRUTHS = new TreeMap<>();
+
+    private static AmbientPart truth(String name, Scene scene, int seed) {
+        return TRUTHS.computeIfAbsent(name + seed,
+            key -> AmbientPart.byBruteForce(scene, SMALL.withSeed(seed), ALL_BOUNCES, ROOT));
+    }
+
+    static Stream<String> scenes() {
+        return Stream.of("open", "half closed", "closed", "Room1");
+    }
+
+    private static Scene scene(String name) throws Exception {
+        return switch (name) {
+            case "open" -> AmbientScenes.open();
+            case "half closed" -> AmbientScenes.halfClosed();
+            case "closed" -> AmbientScenes.closed();
+            default -> {
+                Shared.require(Shared.SCENES);
+                yield AmbientScenes.room1().orElseThrow();
+            }
+        };
+    }
+
+    /** Every path brings the same series, so there is no error but rounding; up to the largest reflectance that counts. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.1, 0.5, 0.8, 0.9})
+    void aWhiteFurnaceHasTheSumOfTheGeometricSeries(double a) {
+        Color mean = Renderers.of(AmbientScenes.furnace(a), SMALL).ambientLight().mean();
+        assertEquals(a == 0 ? 0 : a / (1 - a), mean.red(), 1e-11);
+        assertEquals(mean.red(), mean.green());
+        assertEquals(mean.red(), mean.blue());
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.5, 0.9})
+    void aWhiteFurnaceIsEvenlyLit(double a) {
+        Renderer renderer = Renderers.of(AmbientScenes.furnace(a), SMALL);
+        for (double light : AmbientPart.drawn(renderer, renderer.ambientLight()).light()) {
+            assertEquals(a * a / (1 - a), light, 1e-11);
+        }
+    }
+
+    /** The first bounce brings the wall's own 1.5; what goes on is counted as 0.9 of what arrives: 1.5 / (1 - 0.9). */
+    @Test
+    void wallsThatReflectMoreThanTheyGetDoNotShineForever() {
+        assertEquals(15, Renderers.of(AmbientScenes.furnace(1.5), SMALL).ambientLight().mean().red(), 1e-11);
+    }
+
+    /** Nothing is in the way of the sky: all rays bring the background. */
+    @Test
+    void aBallAloneInTheSkyHasTheSkysLight() {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 0.25 0.5 0.75  1 5",
+            "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0  1 1 1", "sph 0 0 0 1 1");
+        Color mean = Renderers.of(scene, SMALL).ambientLight().mean();
+        assertEquals(0.25, mean.red(), 1e-14);
+        assertEquals(0.5, mean.green(), 1e-14);
+        assertEquals(0.75, mean.blue(), 1e-14);
+    }
+
+    /** As far as the one colour goes, an estimate for white ambient colours is the ambient light itself. */
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void theOneColourIsTheMeanOfTheTruth(String name) throws Exception {
+        Scene white = AmbientScenes.withWhiteAmbient(scene(name));
+        double[] truth = truth("white " + name, white, 1).mean();
+        Renderer renderer = Renderers.of(white, SMALL);
+        double[] mean = AmbientPart.drawn(renderer, AmbientLight.even(renderer.ambientLight().mean())).mean();
+        for (int channel = 0; channel < truth.length; channel++) {
+            assertEquals(1, mean[channel] / truth[channel], MOST_ERROR_OF_MEAN, "channel " + channel);
+        }
+    }
+
+    /** Of the error of no ambient light, one colour leaves at most a third, and light that varies at most a tenth. */
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void lightThatVariesIsNearerToTheTruthThanOneColourAndThatThanNone(String name) throws Exception {
+        Scene scene = scene(name);
+        Renderer renderer = Renderers.of(scene, SMALL);
+        AmbientLight estimate = renderer.ambientLight();
+        double none = error(name, scene, renderer, AmbientLight.even(Color.BLACK));
+        double even = error(name, scene, renderer, AmbientLight.even(estimate.mean()));
+        double varying = error(name, scene, renderer, estimate);
+        assertTrue(even < none / 3, none + ", " + even);
+        assertTrue(varying < even / 2, even + ", " + varying);
+        assertTrue(varying < none / 10, none + ", " + varying);
+    }
+
+    private static double error(String name, Scene scene, Renderer renderer, AmbientLight light) {
+        return AmbientPart.drawn(renderer, light).errorAgainst(truth(name, scene, 1), truth(name, scene, 2));
+    }
+
+    /** The answer is known for every point of the floor, from 0 where the ball touches it to nearly 1. */
+    @Test
+    void theFloorUnderABallIsAsDarkAsOnPaper() {
+        Scene scene = AmbientScenes.blackBallOverFloor(1, 1);
+        RenderSettings settings = RenderSettings.DEFAULT.withSize(60, 60);
+        Film film = Renderers.film(scene, settings);
+        CameraRays rays = new CameraRays(scene.camera(), 60, 60);
+        RayQuery query = new RayQuery(Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
+        double squares = 0;
+        int count = 0;
+        for (int pixel = 0; pixel < 60 * 60; pixel++) {
+            rays.start(pixel % 60 + 0.5, pixel / 60 + 0.5, query.ray());
+            query.begin();
+            if (query.advance() && query.surface() == 0) {
+                double aside = Math.hypot(query.hit().x(), query.hit().z());
+                double error = film.get(pixel % 60, pixel / 60).red() - AmbientScenes.lightUnderBlackBall(1, 1, aside);
+                squares += error * error;
+                count++;
+            }
+        }
+        assertTrue(count > 1000);
+        assertEquals(0, Math.sqrt(squares / count), 0.03);
+    }
+
+    @Test
+    void aSceneWithoutAmbientColoursIsNotLookedAt() {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 1 1 1  1 5",
+            "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0", "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0  1 1 1", "sph 0 0 0 1 1");
+        assertTrue(Renderers.of(scene, SMALL).ambientLight().isNone());
+    }
+
+    @Test
+    void aScaleOf0TurnsAmbientLightOff() {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 1 1 1  1 5  0",
+            "mtl 0.5 0.5 0.5  0 0 0  0 0 0  1 0  1 1 1", "sph 0 0 0 1 1");
+        Renderer renderer = Renderers.of(scene, SMALL);
+        assertTrue(renderer.ambientLight().isNone());
+        assertEquals(Color.BLACK, Renderers.pixel(renderer, 11, 10));
+    }
+
+    /** A ball that covers a 6000th of the picture, and so one of the first 40 x 40 places only for a seed in four. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6})
+    void theOnlyThingWithAnAmbientColourIsFoundIfItIsSmall(int seed) {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 1 1 1  1 5",
+            "mtl 0 0 0  0 0 0  0 0 0  1 0  1 1 1", "sph 1.1 0.7 0  0.036 1");
+        assertEquals(1, Renderers.of(scene, SMALL.withSeed(seed)).ambientLight().mean().red(), 1e-14);
+    }
+
+    @Test
+    void whatIsNotSeenNeedsNoAmbientLight() {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 1 1 1  1 5",
+            "mtl 0 0 0  0 0 0  0 0 0  1 0  1 1 1", "sph 0 0 -50  1 1");
+        assertTrue(Renderers.of(scene, SMALL).ambientLight().isNone());
+    }
+
+    @Test
+    void whatIsSeenInAMirrorAloneCountsToo() {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 0.5 0.5 0.5  1 5",
+            "mtl 0 0 0  0 0 0  1 1 1  1 0", "mtl 0 0 0  0 0 0  0 0 0  1 0  1 1 1", "pln 0 0 1 0 1", "sph 0 0 -12 3 2");
+        assertTrue(Renderers.of(scene, SMALL).ambientLight().mean().red() > 0.3);
+    }
+
+    /**
+     * Far out on an endless floor nothing is in the way of the sky, and few places lie there: it has the sky's light all
+     * the same.
+     */
+    @Test
+    void anEndlessFloorIsEvenUpToItsHorizon() {
+        Scene scene = AmbientScenes.blackBallOverFloor(1, 0.2);
+        RenderSettings settings = RenderSettings.DEFAULT.withSize(40, 400);
+        Film film = Renderers.film(scene, settings);
+        for (int y = 0; y < 190; y++) {
+            assertEquals(1, film.get(1, y).red(), 0.01, "row " + y);
+        }
+    }
+
+    /** However large colours and lengths are: light is a number. */
+    @Test
+    void coloursAtTheEndOfTheRangeGiveFiniteLight() {
+        Scene scene = SceneText.scene("cam 0 0 -5  0 0 0  0 1 0  1 1", "set 1e-310 1e300 1  1 5",
+            "mtl 1e300 1e-310 1  1e300 0 0  0 1 1e300  1 0.5  1e300 1e-310 1",
+            "mtl 1e300 0 1e-310  0 0 0  0 0 0  1 0  1 1e300 0",
+            "sph 0 0 0 1 1", "pln 0 1 0 -2 2", "pln 1 0 0 -3 1", "lgt 3 3 -3 1e300 1 1e-310  1 1 0");
+        Film film = Renderers.film(scene, SMALL);
+        for (int pixel = 0; pixel < 23 * 20; pixel++) {
+            Color color = film.get(pixel % 23, pixel / 23);
+            assertTrue(color.red() >= 0 && color.green() >= 0 && color.blue() >= 0, color::toString);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package raytracing.shadow;
+
+import java.util.SplittableRandom;
+import raytracing.SceneText;
+import raytracing.math.Vector;
+import raytracing.surface.HitRecord;
+import raytracing.surface.PointError;
+import raytracing.surface.RayRecord;
+import raytracing.trace.PreparedScene;
+import raytracing.trace.Queries;
+import raytracing.trace.RayQuery;
+import raytracing.trace.ShadowMode;
+
+/**
+ * Random questions about soft shadows: a few random surfaces, a point on one of them, seen from outside or inside, and
+ * a light anywhere, which may cut surfaces. Only those that neither "all" nor "nothing" answers.
+ */
+public final class ShadowQueries {
+    private static final double SPREAD = 4;
+    private static final int RAYS_IN_A_SCENE = 12;
+
+    /** A first look, to leave out what is plainly lit or dark. */
+    private static final int ROOT_OF_FIRST_LOOK = 12;
+
+    private final SplittableRandom random;
+    private final String head;
+    private final int materials;
+    private String surfaces;
+    private PreparedScene scene;
+    private RayQuery walk;
+    private int raysLeft;
+
+    /**
+     * A sequence of questions.
+     *
+     * @param seed of the sequence
+     * @param transmittances of the materials; 0 is opaque
+     */
+    public ShadowQueries(long seed, double... transmittances) {
+        random = new SplittableRandom(seed);
+        StringBuilder lines = new StringBuilder("cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0 0 0 1 1\n");
+        for (double transmittance : transmittances) {
+            lines.append("mtl 1 1 1 0 0 0 0 0 0 1 ").append(transmittance).append('\n');
+        }
+        head = lines.toString();
+        materials = transmittances.length;
+        startScene();
+    }
+
+    private void startScene() {
+        surfaces = crowd();
+        scene = compiled(surfaces);
+        walk = new RayQuery(scene);
+        raysLeft = RAYS_IN_A_SCENE;
+    }
+
+    /**
+     * A point and a light.
+     *
+     * @param scene the surfaces
+     * @param hit the point
+     * @param light middle of the light
+     * @param width of the light
+     * @param surfaces as lines of a scene file, for messages
+     */
+    public record Query(PreparedScene scene, HitRecord hit, Vector light, double width, String surfaces) {
+        /** A shaft to the light. */
+        ShaftQuery shaft(ShaftQuery.Use use) {
+            ShaftQuery shaft = new ShaftQuery(scene, use);
+            shaft.aim(hit.toHit(), light.x(), light.y(), light.z(), PointError.written(light), width);
+            return shaft;
+        }
+
+        /** What areas say. */
+        public double exact() {
+            return new ExactShadows(scene, 1).meanTransmittance(shaft(ShaftQuery.Use.AREAS), 1);
+        }
+    }
+
+    private PreparedScene compiled(String surfaces) {
+        return Queries.prepared(SceneText.scene(head + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+    }
+
+    /** The next question in whose answer there is some doubt. */
+    public Query next() {
+        while (true) {
+            if (raysLeft == 0) {
+                startScene();
+            }
+            raysLeft--;
+            Queries.start(walk, new RayRecord(vector(SPREAD + 2), vector(1)));
+            Vector light = vector(2 * SPREAD);
+            double width = random.nextDouble(0.05, 4);
+            if (walk.advance() && light.minus(Queries.hit(walk).point()).length() > 1e-3) {
+                Query query = new Query(scene, Queries.hit(walk), light, width, surfaces);
+                if (isPartlySeen(query)) {
+                    return query;
+                }
+            }
+        }
+    }
+
+    private boolean isPartlySeen(Query query) {
+        ShaftQuery shaft = query.shaft(ShaftQuery.Use.LINES);
+        if (shaft.isSettled()) {
+            return false;
+        }
+        double first = shaft.transmittance(0, 0);
+        double sum = shaft.sumOverCells(ROOT_OF_FIRST_LOOK, random.nextLong());
+        return Math.abs(sum - first * ROOT_OF_FIRST_LOOK * ROOT_OF_FIRST_LOOK) > 1e-9;
+    }
+
+    private String crowd() {
+        String[] codes = {"sph", "sph", "box", "pln"};
+        StringBuilder lines = new StringBuilder();
+        int size = random.nextInt(1, 9);
+        for (int i = 0; i < size; i++) {
+            Vector place = vector(SPREAD);
+            lines.append(codes[random.nextInt(codes.length)]).append(' ').append(place.x()).append(' ')
+                .append(place.y()).append(' ').append(place.z()).append(' ').append(random.nextDouble(0.2, 2))
+                .append(' ').append(random.nextInt(1, materials + 1)).append('\n');
+        }
+        return lines.toString();
+    }
+
+    private Vector vector(double size) {
+        return new Vector(random.nextDouble(-size, size), random.nextDouble(-size, size), random.nextDouble(-size, size));
+    }
+}

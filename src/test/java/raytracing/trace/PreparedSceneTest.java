@@ -1,0 +1,228 @@
+package raytracing.trace;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import raytracing.SceneText;
+import raytracing.math.Vector;
+import raytracing.math.Vectors;
+import raytracing.scene.Scene;
+import raytracing.surface.Departure;
+import raytracing.surface.HitRecord;
+import raytracing.surface.RayRecord;
+import raytracing.surface.SegmentRecord;
+import raytracing.surface.Surface;
+import raytracing.surface.SurfaceQuestions;
+
+class PreparedSceneTest {
+    private static final String HEAD = "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0 0 0 1 1\n";
+
+    /** Material 1 is opaque; 2, 3 and 4 let a half, a quarter and all of the light through. */
+    private static final String MATERIALS = """
+        mtl 1 1 1 0 0 0 0 0 0 1 0
+        mtl 1 1 1 0 0 0 0 0 0 1 0.5
+        mtl 1 1 1 0 0 0 0 0 0 1 0.25
+        mtl 1 1 1 0 0 0 0 0 0 1 1
+        """;
+
+    private static Scene scene(String... surfaces) {
+        return SceneText.scene(HEAD + MATERIALS + String.join("\n", surfaces));
+    }
+
+    private static PreparedScene compiled(String... surfaces) {
+        return Queries.prepared(scene(surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+    }
+
+    private static List<HitRecord> walk(PreparedScene compiled, RayRecord ray) {
+        RayQuery walk = new RayQuery(compiled);
+        List<HitRecord> hits = new ArrayList<>();
+        Queries.start(walk, ray);
+        while (walk.advance()) {
+            hits.add(Queries.hit(walk));
+        }
+        return hits;
+    }
+
+    private static double transmittance(PreparedScene compiled, HitRecord hit, double x, double y, double z) {
+        return new SegmentQuery(compiled).transmittance(hit.toHit(), x, y, z, 0);
+    }
+
+    private static List<Integer> surfaces(List<HitRecord> hits) {
+        return hits.stream().map(HitRecord::surface).toList();
+    }
+
+    private static RayRecord ray(double x, double y, double z, double dx, double dy, double dz) {
+        return new RayRecord(new Vector(x, y, z), new Vector(dx, dy, dz));
+    }
+
+    @Test
+    void aRayMeetsEverySurfaceOnceInTheOrderOfDistance() {
+        PreparedScene compiled = compiled("sph 0 0 3 1 1", "pln 0 0 1 10 1", "box 0 0 0 2 1", "sph 0 0 3 0.5 1");
+        assertEquals(List.of(2, 0, 3, 1), surfaces(walk(compiled, ray(0, 0, -5, 0, 0, 1))));
+    }
+
+    @Test
+    void aRayFromInsideMeetsTheWallFromInside() {
+        HitRecord hit = walk(compiled("sph 0 0 0 2 1"), ray(0, 0, 0, 0, 0, 1)).get(0);
+        assertEquals(Departure.INWARD, hit.side());
+        assertEquals(new Vector(0, 0, 2), hit.point());
+        assertEquals(-1, hit.normal().z());
+    }
+
+    @Test
+    void coincidentSurfacesComeInTheOrderOfTheScene() {
+        String ball = "sph 0 0 0 1 2";
+        assertEquals(List.of(0, 1, 2), surfaces(walk(compiled(ball, ball, ball), ray(0, 0, -5, 0, 0, 1))));
+        PreparedScene boxBeforePlane = compiled("box 0 0 1 2 1", "pln 0 0 1 0 1");
+        assertEquals(List.of(0, 1), surfaces(walk(boxBeforePlane, ray(0, 0, -5, 0, 0, 1))));
+        PreparedScene planeBeforeBox = compiled("pln 0 0 1 0 1", "box 0 0 1 2 1");
+        assertEquals(List.of(0, 1), surfaces(walk(planeBeforeBox, ray(0, 0, -5, 0, 0, 1))));
+    }
+
+    @Test
+    void aRayThatMeetsNothingHasNoHit() {
+        assertEquals(List.of(), walk(compiled("sph 0 0 0 1 1"), ray(0, 5, -5, 0, 0, 1)));
+        assertEquals(List.of(), walk(compiled(), ray(0, 0, 0, 0, 0, 1)));
+    }
+
+    /** The arrays give the bits of the objects, on rays of every kind through a crowd of all shapes. */
+    @Test
+    void theArraysAgreeWithTheObjectsBitForBit() {
+        SplittableRandom random = new SplittableRandom(7);
+        Scene scene = scene(crowd(random, 60));
+        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        int hits = 0;
+        for (int i = 0; i < 3_000; i++) {
+            RayRecord ray = ray(random.nextDouble(-6, 6), random.nextDouble(-6, 6), random.nextDouble(-6, 6),
+                random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            List<HitRecord> expected = walkObjects(scene.surfaces(), ray);
+            List<HitRecord> found = walk(compiled, ray);
+            assertEquals(expected, found);
+            if (!found.isEmpty()) {
+                HitRecord first = found.get(0);
+                RayRecord mirrored = first.leaving(Vectors.plus(first.normal(), 0.5, ray.direction()));
+                assertEquals(walkObjects(scene.surfaces(), mirrored), walk(compiled, mirrored));
+                hits++;
+            }
+        }
+        assertTrue(hits > 2_000, "too few hits to mean anything");
+    }
+
+    /** A crossing that was found without lists. */
+    private record ObjectHit(double distance, HitRecord hit) {
+    }
+
+    private static List<HitRecord> walkObjects(List<Surface> surfaces, RayRecord ray) {
+        List<ObjectHit> hits = new ArrayList<>();
+        for (int i = 0; i < surfaces.size(); i++) {
+            Departure departure = i == ray.surfaceLeft() ? ray.departure() : Departure.ELSEWHERE;
+            double crossing = SurfaceQuestions.firstCrossing(surfaces.get(i), ray, departure);
+            if (crossing < Surface.MISS) {
+                hits.add(new ObjectHit(crossing, HitRecord.at(surfaces.get(i), ray, crossing, i)));
+            }
+        }
+        hits.sort(Comparator.comparingDouble(ObjectHit::distance).thenComparingInt(hit -> hit.hit.surface()));
+        return hits.stream().map(ObjectHit::hit).toList();
+    }
+
+    /** Transparencies are powers of two, so their products are exact in any order. */
+    @Test
+    void transmittanceAgreesWithTheObjectsBitForBit() {
+        SplittableRandom random = new SplittableRandom(8);
+        Scene scene = scene(crowd(random, 12));
+        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        int partial = 0;
+        for (int i = 0; i < 5_000; i++) {
+            RayRecord ray = ray(random.nextDouble(-6, 6), random.nextDouble(-6, 6), random.nextDouble(-6, 6),
+                random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            List<HitRecord> hits = walk(compiled, ray);
+            if (!hits.isEmpty()) {
+                HitRecord hit = hits.get(0);
+                Vector end = new Vector(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9));
+                double expected = transmittanceOfObjects(scene, hit, end);
+                assertEquals(expected, transmittance(compiled, hit, end.x(), end.y(), end.z()));
+                partial += expected > 0 && expected < 1 ? 1 : 0;
+            }
+        }
+        assertTrue(partial > 100, "too few partial shadows to mean anything");
+    }
+
+    private static double transmittanceOfObjects(Scene scene, HitRecord hit, Vector end) {
+        SegmentRecord segment = new SegmentRecord(hit.point(), hit.pointError(), end, 0);
+        Vector d = end.minus(hit.point());
+        double product = 1;
+        for (int i = 0; i < scene.surfaces().size(); i++) {
+            Surface surface = scene.surfaces().get(i);
+            Departure departure = i != hit.surface() ? Departure.ELSEWHERE
+                : hit.side() == Departure.INWARD ? Departure.INWARD : hit.departureTowards(d.x(), d.y(), d.z());
+            if (SurfaceQuestions.crosses(surface, segment, departure)) {
+                product *= scene.materials().get(surface.material()).transparency();
+            }
+        }
+        return product;
+    }
+
+    private static String[] crowd(SplittableRandom random, int size) {
+        String[] lines = new String[size];
+        String[] codes = {"sph", "sph", "box", "box", "box", "pln"};
+        for (int i = 0; i < size; i++) {
+            lines[i] = codes[random.nextInt(codes.length)] + " " + random.nextDouble(-4, 4) + " "
+                + random.nextDouble(-4, 4) + " " + random.nextDouble(-4, 4) + " " + random.nextDouble(0.3, 2) + " "
+                + random.nextInt(1, 5);
+        }
+        return lines;
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "nothing in between,              0, 0, 1,     1",
+        "an opaque ball,                  0, 0, 9,     0",
+        "the light before the ball,       0, 0, 2.9,   1",
+        "the light inside the ball,       0, 0, 4,     0",
+        "past the ball,                   4, 0, 9,     1",
+        "a half and a quarter,            9, 0, 0, 0.125",
+        "only the half,                   4, 0, 0,   0.5",
+        "inside the quarter,              7, 0, 0, 0.125",
+        "clear glass,                     0, 9, 0,     1",
+    })
+    void lightIsWeakenedOnceByEverySurfaceInBetween(String why, double dx, double dy, double dz, double expected) {
+        PreparedScene compiled = compiled("pln 1 1 1 0 1", "sph 0 0 4 1 1", "box 3 0 0 1 2", "sph 7 0 0 1 3",
+            "box 0 5 0 2 4");
+        HitRecord origin = new HitRecord(0, 0, Vector.ZERO, 0, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
+        assertEquals(expected, transmittance(compiled, origin, dx, dy, dz), why);
+    }
+
+    @Test
+    void opaqueShadowsTakeNoNoticeOfTransparency() {
+        PreparedScene compiled = Queries.prepared(scene("pln 0 1 0 0 1", "sph 0 3 0 1 4"),
+            ShadowMode.ALL_SURFACES_STOP_LIGHT);
+        HitRecord floor = new HitRecord(0, 0, Vector.ZERO, 0, new Vector(0, 1, 0), Departure.OUTWARD);
+        assertEquals(0, transmittance(compiled, floor, 0, 9, 0));
+        assertEquals(1, transmittance(compiled, floor, 9, 9, 0));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "the lit side from outside,           OUTWARD,  0,  1,    1",
+        "along the wall,                      OUTWARD,  1,  0,    1",
+        "a light below the horizon,           OUTWARD,  1, -3,  0.5",
+        "a light inside the body,             OUTWARD,  0, -1,    1",
+        "from inside to a light inside,       INWARD,   0, -1,    1",
+        "from inside to a light behind the far wall, INWARD, 0, -3, 0.5",
+    })
+    void theOwnBodyShadowsOnlyWhatIsBehindItsFarWall(String why, Departure seenFrom, double dx, double dy,
+                                                     double expected) {
+        for (String body : new String[] {"sph 0 -1 0 1 2", "box 0 -1 0 2 2"}) {
+            Vector normal = new Vector(0, seenFrom == Departure.OUTWARD ? 1 : -1, 0);
+            HitRecord top = new HitRecord(0, 1, Vector.ZERO, 0, normal, seenFrom);
+            assertEquals(expected, transmittance(compiled(body), top, dx, dy, 0), why);
+        }
+    }
+}
