@@ -1,0 +1,2 @@
+/** The program's pictures once more, drawn as simply as possible. */
+package raytracing.reference;
