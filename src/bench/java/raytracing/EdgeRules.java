@@ -99,8 +99,8 @@ final class EdgeRules {
     }
 
     private static long[] fingerprints(Scene scene) {
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        Shader shader = new Shader(scene, compiled, new ShadowMethod.Exact(), AmbientLight.NONE);
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        Shader shader = new Shader(scene, prepared, new ShadowMethod.Exact(), AmbientLight.NONE);
         CameraRays rays = new CameraRays(scene.camera(), SIZE, SIZE);
         long[] fingerprints = new long[SIZE * SIZE];
         for (int i = 0; i < fingerprints.length; i++) {

@@ -18,7 +18,7 @@ import raytracing.render.Renderer;
 import raytracing.render.Renderers;
 
 /**
- * Milliseconds for a frame of 500 x 500 pixels on all processors, the scene compiled before. A scene that is not beside
+ * Milliseconds for a frame of 500 x 500 pixels on all processors, the scene prepared before. A scene that is not beside
  * the checkout fails in its set-up and stops no other.
  */
 @BenchmarkMode(Mode.AverageTime)
@@ -34,7 +34,7 @@ public class FrameBenchmark {
     private Renderer renderer;
 
     @Setup
-    public void compile() throws Exception {
+    public void prepare() throws Exception {
         renderer = Renderers.of(scene.scene(), RenderSettings.DEFAULT);
     }
 

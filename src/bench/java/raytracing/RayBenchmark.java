@@ -35,7 +35,7 @@ public class RayBenchmark {
 
     @Setup
     public void aim() throws Exception {
-        caster = new CompiledRayCaster(scene.scene(), coherence, SIZE);
+        caster = new PreparedRayCaster(scene.scene(), coherence, SIZE);
     }
 
     @Benchmark

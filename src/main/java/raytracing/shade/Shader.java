@@ -173,7 +173,7 @@ public final class Shader {
     /** What all calls of {@link #light} so far took together. */
     public RayCounts counts() {
         return new RayCounts(eyeRayCount, mirroredRayCount, leftOutCount, surfaceCount, shadedCount * lights.length,
-            shadows.asked(), shadows.settled(), shadows.rays(), shadows.areas());
+            shadows.queries(), shadows.settled(), shadows.rays(), shadows.areas());
     }
 
     /** Follows the ray of the query that was started, then the mirrored rays, the heaviest first. */

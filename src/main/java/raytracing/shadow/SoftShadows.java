@@ -14,7 +14,7 @@ public abstract class SoftShadows {
     /** Each light has its own lines and shaft: they remember what stopped them last. */
     private final SegmentQuery[] lines;
     private final ShaftQuery[] shafts;
-    private long asked;
+    private long queries;
     private long settled;
     private long rays;
     private long areas;
@@ -40,7 +40,7 @@ public abstract class SoftShadows {
      */
     public final double arrivingShare(Hit hit, Light light, int number, double error, long key) {
         double s = light.shadowIntensity();
-        asked++;
+        queries++;
         if (s == 0) {
             settled++;
             return 1;
@@ -98,8 +98,8 @@ public abstract class SoftShadows {
     }
 
     /** How often the share of a light was needed. */
-    public final long asked() {
-        return asked;
+    public final long queries() {
+        return queries;
     }
 
     /** How often that took no ray. */

@@ -102,8 +102,8 @@ final class Crossings {
 
     private void offerClose(double quickCrossing, int number) {
         double crossing = Double.isNaN(quickCrossing) ? exactDistance(number) : quickCrossing;
-        if (crossing == Surface.MISS || number == afterSurface || !comesBefore(afterDistance, afterSurface, crossing,
-            number)) {
+        if (crossing == Surface.MISS || number == afterSurface
+                || !comesBefore(afterDistance, afterSurface, crossing, number)) {
             return;
         }
         if (keepsAll) {
@@ -182,7 +182,7 @@ final class Crossings {
         return distance == Surface.MISS;
     }
 
-    /** The nearest crossing so far, or the one that was advanced to; while all are asked for, there is none. */
+    /** The nearest crossing so far, or the one that was advanced to; none while a query collects all crossings. */
     double distance() {
         return distance;
     }

@@ -60,7 +60,7 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
 
     /** The order in which the product walks. */
     public List<Integer> walkedOrder() {
-        RayQuery walk = new RayQuery(compiled(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
+        RayQuery walk = new RayQuery(prepared(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
         Queries.start(walk, new RayRecord(origin, direction));
         List<Integer> order = new ArrayList<>();
         while (walk.advance()) {
@@ -97,7 +97,7 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
             : new Query(origin, direction, ((Box) surface).centre(), ((Box) surface).edge());
     }
 
-    PreparedScene compiled(ShadowMode mode) {
+    PreparedScene prepared(ShadowMode mode) {
         List<Surface> seen = IntStream.range(0, surfaces.size())
             .mapToObj(i -> withMaterial(surfaces.get(i), Math.min(i, MOST_TOLD_APART - 1))).toList();
         Camera unused = new Camera(origin, Vectors.plus(origin, direction), Vector.ZERO, 1, 1, new Pinhole());

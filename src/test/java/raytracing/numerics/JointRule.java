@@ -44,8 +44,8 @@ final class JointRule {
     private JointRule(Encounter encounter, RandomNumbers random) {
         this.encounter = encounter;
         this.random = random;
-        scene = encounter.compiled(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        opaque = encounter.compiled(ShadowMode.ALL_SURFACES_STOP_LIGHT);
+        scene = encounter.prepared(ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        opaque = encounter.prepared(ShadowMode.ALL_SURFACES_STOP_LIGHT);
         walk = new RayQuery(scene);
     }
 

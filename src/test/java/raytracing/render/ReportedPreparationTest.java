@@ -63,7 +63,7 @@ class ReportedPreparationTest {
         return SceneText.scene(lines.toString());
     }
 
-    private static Counting compile(Scene scene) {
+    private static Counting prepare(Scene scene) {
         Counting counted = new Counting();
         new PreparedScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, EnumSet.allOf(Shortcut.class),
             new ForkJoin(1, counted));
@@ -84,14 +84,14 @@ class ReportedPreparationTest {
     @ParameterizedTest(name = "{0} spheres, {1} boxes")
     @CsvSource({"40, 47, 0", "48, 0, 48", "30, 100, 100", "500, 60, 560", "65537, 48, 65585"})
     void everyBodyOfAHierarchyIsExpectedAndArrangedOnce(int spheres, int boxes, long bodies) {
-        Counting counted = compile(scene(spheres, boxes));
+        Counting counted = prepare(scene(spheres, boxes));
         assertEquals(bodies, counted.expected);
         assertEquals(bodies, counted.done);
     }
 
     @Test
     void manyBodiesAreReportedInParts() {
-        Counting counted = compile(scene(140_000, 0));
+        Counting counted = prepare(scene(140_000, 0));
         assertEquals(140_000, counted.done);
         assertTrue(counted.calls > 2, "calls: " + counted.calls);
     }

@@ -34,9 +34,9 @@ class LeftOutLightTest {
     }
 
     private static Film drawn(Scene scene, double negligibleWeight) {
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        AmbientLight ambientLight = AmbientEstimate.of(scene, compiled, SIZE, SIZE, 1, ForkJoin.sequential());
-        Shader shader = new Shader(scene, compiled, ShadowMethod.OF_THE_SCENE, ambientLight, negligibleWeight,
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        AmbientLight ambientLight = AmbientEstimate.of(scene, prepared, SIZE, SIZE, 1, ForkJoin.sequential());
+        Shader shader = new Shader(scene, prepared, ShadowMethod.OF_THE_SCENE, ambientLight, negligibleWeight,
             Shader.MOST_SURFACES, new VertexReservoir(VertexReservoir.Scattering.NONE));
         CameraRays rays = new CameraRays(scene.camera(), SIZE, SIZE);
         Film film = new Film(SIZE, SIZE);

@@ -49,7 +49,7 @@ public final class ShadowQueries {
 
     private void startScene() {
         surfaces = crowd();
-        scene = compiled(surfaces);
+        scene = prepared(surfaces);
         walk = new RayQuery(scene);
         raysLeft = RAYS_IN_A_SCENE;
     }
@@ -77,7 +77,7 @@ public final class ShadowQueries {
         }
     }
 
-    private PreparedScene compiled(String surfaces) {
+    private PreparedScene prepared(String surfaces) {
         return Queries.prepared(SceneText.scene(head + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
     }
 

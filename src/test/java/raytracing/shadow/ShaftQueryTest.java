@@ -45,7 +45,7 @@ class ShaftQueryTest {
     private int open;
     private int partlyCovered;
 
-    private static PreparedScene compiled(String surfaces, EnumSet<Shortcut> shortcuts) {
+    private static PreparedScene prepared(String surfaces, EnumSet<Shortcut> shortcuts) {
         return new PreparedScene(SceneText.scene(HEAD + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, shortcuts,
             ForkJoin.sequential());
     }
@@ -120,7 +120,7 @@ class ShaftQueryTest {
     void shaftsInACrowd(int materials) {
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < 300; i++) {
-            PreparedScene scene = compiled(crowd(random, random.nextInt(1, 9), materials, 4), EnumSet.allOf(Shortcut.class));
+            PreparedScene scene = prepared(crowd(random, random.nextInt(1, 9), materials, 4), EnumSet.allOf(Shortcut.class));
             shafts(scene, random, false);
         }
         assertBothKindsCameUp(200);
@@ -131,7 +131,7 @@ class ShaftQueryTest {
     void shaftsBetweenSurfacesThatTouch(int materials) {
         SplittableRandom random = new SplittableRandom(2);
         for (int i = 0; i < 300; i++) {
-            PreparedScene scene = compiled(grid(random, random.nextInt(1, 8), materials), EnumSet.allOf(Shortcut.class));
+            PreparedScene scene = prepared(grid(random, random.nextInt(1, 8), materials), EnumSet.allOf(Shortcut.class));
             shafts(scene, random, true);
         }
         assertBothKindsCameUp(100);
@@ -160,7 +160,7 @@ class ShaftQueryTest {
             String box = "box " + (far + 1) + " 1 " + random.nextDouble(-1, 1) + " 0.7";
             String surfaces = ball + " 1\n" + ball + " 2\n" + box + " 2\n" + box + " 3\npln 1 0.1 0 " + (far - 1.5)
                 + " 3\nsph " + (far + 0.5) + " 2 0.3 0.4 4";
-            PreparedScene scene = compiled(surfaces, EnumSet.allOf(Shortcut.class));
+            PreparedScene scene = prepared(surfaces, EnumSet.allOf(Shortcut.class));
             Vector middle = new Vector(far, 0, 0);
             Vector eye = Vectors.plus(vector(random, 3), middle);
             RayQuery walk = new RayQuery(scene);
@@ -188,7 +188,7 @@ class ShaftQueryTest {
             Vector aside = Vectors.plus(corner, -corner.dot(along), along).unit();
             double r = random.nextDouble(0.01, 2);
             Vector centre = Vectors.plus(touched, r * (1 + beyond), aside);
-            PreparedScene scene = compiled("pln 0 1 0 0 1\nsph " + centre.x() + " " + centre.y() + " " + centre.z() + " "
+            PreparedScene scene = prepared("pln 0 1 0 0 1\nsph " + centre.x() + " " + centre.y() + " " + centre.z() + " "
                 + r + " " + (1 + i % 2), EnumSet.allOf(Shortcut.class));
             assertSameBits(scene, floor.toHit(), light, 2, random);
         }
@@ -201,14 +201,14 @@ class ShaftQueryTest {
         SplittableRandom random = new SplittableRandom(5);
         EnumSet<Shortcut> others = EnumSet.complementOf(EnumSet.of(shortcut));
         for (int i = 0; i < 60; i++) {
-            shafts(compiled(crowd(random, 6, 3, 4), others), random, false);
+            shafts(prepared(crowd(random, 6, 3, 4), others), random, false);
         }
         assertTrue(open > 20, () -> open + " open");
     }
 
     @Test
     void aLightThatNothingTouchesIsSettledWithoutALine() {
-        PreparedScene scene = compiled("pln 0 1 0 0 1\nsph 5 5 0 1 1\nbox -5 5 0 2 1\npln 0 1 0 20 1",
+        PreparedScene scene = prepared("pln 0 1 0 0 1\nsph 5 5 0 1 1\nbox -5 5 0 2 1\npln 0 1 0 20 1",
             EnumSet.allOf(Shortcut.class));
         assertSettled(1, scene);
     }
@@ -218,7 +218,7 @@ class ShaftQueryTest {
     void everyKindOfSurfaceCastsAShadow() {
         Set<Class<?>> kinds = new HashSet<>();
         for (String surface : List.of("sph 0 5 0 2 1", "box 0 5 0 4 1", "pln 0 1 0 5 1")) {
-            PreparedScene scene = compiled("pln 0 1 0 0 1\n" + surface, EnumSet.allOf(Shortcut.class));
+            PreparedScene scene = prepared("pln 0 1 0 0 1\n" + surface, EnumSet.allOf(Shortcut.class));
             assertSettled(0, scene);
             kinds.add(scene.surface(1).getClass());
         }
@@ -239,12 +239,12 @@ class ShaftQueryTest {
     @ParameterizedTest
     @ValueSource(strings = {"sph 0 5 0 2 1", "box 0.1 5 0 4 1", "pln 0.1 1 0 5 1"})
     void aSurfaceBeforeTheWholeLightSettlesItInTheDark(String surface) {
-        assertSettled(0, compiled("pln 0 1 0 0 1\n" + surface + "\nsph 0.5 8 0 0.3 2", EnumSet.allOf(Shortcut.class)));
+        assertSettled(0, prepared("pln 0 1 0 0 1\n" + surface + "\nsph 0.5 8 0 0.3 2", EnumSet.allOf(Shortcut.class)));
     }
 
     @Test
     void glassBeforeTheWholeLightSettlesItToo() {
-        assertSettled(0.7 * 0.3, compiled("pln 0 1 0 0 1\nsph 0 5 0 2 2\nsph 0 0 0 4 3", EnumSet.allOf(Shortcut.class)));
+        assertSettled(0.7 * 0.3, prepared("pln 0 1 0 0 1\nsph 0 5 0 2 2\nsph 0 0 0 4 3", EnumSet.allOf(Shortcut.class)));
     }
 
     private static void assertSettled(double expected, PreparedScene scene) {
@@ -266,7 +266,7 @@ class ShaftQueryTest {
         }
         HitRecord floor = new HitRecord(0, 0, Vector.ZERO, 0x1p-51, new Vector(0, 1, 0), Departure.OUTWARD);
         for (int i = 0; i < 20; i++) {
-            assertSameBits(compiled(beads.toString(), EnumSet.allOf(Shortcut.class)), floor.toHit(), new Vector(0, 10, 0), 2,
+            assertSameBits(prepared(beads.toString(), EnumSet.allOf(Shortcut.class)), floor.toHit(), new Vector(0, 10, 0), 2,
                 random);
         }
     }

@@ -32,8 +32,8 @@ class SoftShadowsTest {
     private static double share(int root, long key, double shadowIntensity, double width, String... surfaces) {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces)
             + "\nlgt 0 10 0 1 1 1 1 " + shadowIntensity + " " + width);
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        return new SampledShadows(compiled, root, 1).arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, key);
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        return new SampledShadows(prepared, root, 1).arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, key);
     }
 
     @ParameterizedTest
@@ -119,8 +119,8 @@ class SoftShadowsTest {
         int keys = 400;
         int root = 8;
         Scene scene = SceneText.scene(HEAD + surface + "\nlgt " + position + " 1 1 1 1 1 2");
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        SoftShadows shadows = new SampledShadows(compiled, root, 1);
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        SoftShadows shadows = new SampledShadows(prepared, root, 1);
         double sum = 0;
         for (int i = 0; i < keys; i++) {
             sum += shadows.arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, CounterRandom.bits(5, i));
@@ -166,8 +166,8 @@ class SoftShadowsTest {
 
     private static double share(ShadowMethod method, double width, String... surfaces) {
         Scene scene = SceneText.scene(HEAD + String.join("\n", surfaces) + "\nlgt 0 10 0 1 1 1 1 1 " + width);
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        return method.shadows(compiled, 1, 1).arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, 1);
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        return method.shadows(prepared, 1, 1).arrivingShare(FLOOR, scene.lights().get(0), 0, 0x1p-48, 1);
     }
 
     @Test

@@ -36,12 +36,12 @@ class PreparedSceneTest {
         return SceneText.scene(HEAD + MATERIALS + String.join("\n", surfaces));
     }
 
-    private static PreparedScene compiled(String... surfaces) {
+    private static PreparedScene prepared(String... surfaces) {
         return Queries.prepared(scene(surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
     }
 
-    private static List<HitRecord> walk(PreparedScene compiled, RayRecord ray) {
-        RayQuery walk = new RayQuery(compiled);
+    private static List<HitRecord> walk(PreparedScene prepared, RayRecord ray) {
+        RayQuery walk = new RayQuery(prepared);
         List<HitRecord> hits = new ArrayList<>();
         Queries.start(walk, ray);
         while (walk.advance()) {
@@ -50,8 +50,8 @@ class PreparedSceneTest {
         return hits;
     }
 
-    private static double transmittance(PreparedScene compiled, HitRecord hit, double x, double y, double z) {
-        return new SegmentQuery(compiled).transmittance(hit.toHit(), x, y, z, 0);
+    private static double transmittance(PreparedScene prepared, HitRecord hit, double x, double y, double z) {
+        return new SegmentQuery(prepared).transmittance(hit.toHit(), x, y, z, 0);
     }
 
     private static List<Integer> surfaces(List<HitRecord> hits) {
@@ -62,15 +62,20 @@ class PreparedSceneTest {
         return new RayRecord(new Vector(x, y, z), new Vector(dx, dy, dz));
     }
 
+    private static RayRecord rayAmongCrowd(SplittableRandom random) {
+        return ray(random.nextDouble(-6, 6), random.nextDouble(-6, 6), random.nextDouble(-6, 6),
+            random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+    }
+
     @Test
     void aRayMeetsEverySurfaceOnceInTheOrderOfDistance() {
-        PreparedScene compiled = compiled("sph 0 0 3 1 1", "pln 0 0 1 10 1", "box 0 0 0 2 1", "sph 0 0 3 0.5 1");
-        assertEquals(List.of(2, 0, 3, 1), surfaces(walk(compiled, ray(0, 0, -5, 0, 0, 1))));
+        PreparedScene prepared = prepared("sph 0 0 3 1 1", "pln 0 0 1 10 1", "box 0 0 0 2 1", "sph 0 0 3 0.5 1");
+        assertEquals(List.of(2, 0, 3, 1), surfaces(walk(prepared, ray(0, 0, -5, 0, 0, 1))));
     }
 
     @Test
     void aRayFromInsideMeetsTheWallFromInside() {
-        HitRecord hit = walk(compiled("sph 0 0 0 2 1"), ray(0, 0, 0, 0, 0, 1)).get(0);
+        HitRecord hit = walk(prepared("sph 0 0 0 2 1"), ray(0, 0, 0, 0, 0, 1)).get(0);
         assertEquals(Departure.INWARD, hit.side());
         assertEquals(new Vector(0, 0, 2), hit.point());
         assertEquals(-1, hit.normal().z());
@@ -79,17 +84,17 @@ class PreparedSceneTest {
     @Test
     void coincidentSurfacesComeInTheOrderOfTheScene() {
         String ball = "sph 0 0 0 1 2";
-        assertEquals(List.of(0, 1, 2), surfaces(walk(compiled(ball, ball, ball), ray(0, 0, -5, 0, 0, 1))));
-        PreparedScene boxBeforePlane = compiled("box 0 0 1 2 1", "pln 0 0 1 0 1");
+        assertEquals(List.of(0, 1, 2), surfaces(walk(prepared(ball, ball, ball), ray(0, 0, -5, 0, 0, 1))));
+        PreparedScene boxBeforePlane = prepared("box 0 0 1 2 1", "pln 0 0 1 0 1");
         assertEquals(List.of(0, 1), surfaces(walk(boxBeforePlane, ray(0, 0, -5, 0, 0, 1))));
-        PreparedScene planeBeforeBox = compiled("pln 0 0 1 0 1", "box 0 0 1 2 1");
+        PreparedScene planeBeforeBox = prepared("pln 0 0 1 0 1", "box 0 0 1 2 1");
         assertEquals(List.of(0, 1), surfaces(walk(planeBeforeBox, ray(0, 0, -5, 0, 0, 1))));
     }
 
     @Test
     void aRayThatMeetsNothingHasNoHit() {
-        assertEquals(List.of(), walk(compiled("sph 0 0 0 1 1"), ray(0, 5, -5, 0, 0, 1)));
-        assertEquals(List.of(), walk(compiled(), ray(0, 0, 0, 0, 0, 1)));
+        assertEquals(List.of(), walk(prepared("sph 0 0 0 1 1"), ray(0, 5, -5, 0, 0, 1)));
+        assertEquals(List.of(), walk(prepared(), ray(0, 0, 0, 0, 0, 1)));
     }
 
     /** The arrays give the bits of the objects, on rays of every kind through a crowd of all shapes. */
@@ -97,18 +102,17 @@ class PreparedSceneTest {
     void theArraysAgreeWithTheObjectsBitForBit() {
         SplittableRandom random = new SplittableRandom(7);
         Scene scene = scene(crowd(random, 60));
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         int hits = 0;
         for (int i = 0; i < 3_000; i++) {
-            RayRecord ray = ray(random.nextDouble(-6, 6), random.nextDouble(-6, 6), random.nextDouble(-6, 6),
-                random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            RayRecord ray = rayAmongCrowd(random);
             List<HitRecord> expected = walkObjects(scene.surfaces(), ray);
-            List<HitRecord> found = walk(compiled, ray);
+            List<HitRecord> found = walk(prepared, ray);
             assertEquals(expected, found);
             if (!found.isEmpty()) {
                 HitRecord first = found.get(0);
                 RayRecord mirrored = first.leaving(Vectors.plus(first.normal(), 0.5, ray.direction()));
-                assertEquals(walkObjects(scene.surfaces(), mirrored), walk(compiled, mirrored));
+                assertEquals(walkObjects(scene.surfaces(), mirrored), walk(prepared, mirrored));
                 hits++;
             }
         }
@@ -137,17 +141,16 @@ class PreparedSceneTest {
     void transmittanceAgreesWithTheObjectsBitForBit() {
         SplittableRandom random = new SplittableRandom(8);
         Scene scene = scene(crowd(random, 12));
-        PreparedScene compiled = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         int partial = 0;
         for (int i = 0; i < 5_000; i++) {
-            RayRecord ray = ray(random.nextDouble(-6, 6), random.nextDouble(-6, 6), random.nextDouble(-6, 6),
-                random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-            List<HitRecord> hits = walk(compiled, ray);
+            RayRecord ray = rayAmongCrowd(random);
+            List<HitRecord> hits = walk(prepared, ray);
             if (!hits.isEmpty()) {
                 HitRecord hit = hits.get(0);
                 Vector end = new Vector(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9));
                 double expected = transmittanceOfObjects(scene, hit, end);
-                assertEquals(expected, transmittance(compiled, hit, end.x(), end.y(), end.z()));
+                assertEquals(expected, transmittance(prepared, hit, end.x(), end.y(), end.z()));
                 partial += expected > 0 && expected < 1 ? 1 : 0;
             }
         }
@@ -193,19 +196,19 @@ class PreparedSceneTest {
         "clear glass,                     0, 9, 0,     1",
     })
     void lightIsWeakenedOnceByEverySurfaceInBetween(String why, double dx, double dy, double dz, double expected) {
-        PreparedScene compiled = compiled("pln 1 1 1 0 1", "sph 0 0 4 1 1", "box 3 0 0 1 2", "sph 7 0 0 1 3",
+        PreparedScene prepared = prepared("pln 1 1 1 0 1", "sph 0 0 4 1 1", "box 3 0 0 1 2", "sph 7 0 0 1 3",
             "box 0 5 0 2 4");
         HitRecord origin = new HitRecord(0, 0, Vector.ZERO, 0, new Vector(1, 1, 1).unit(), Departure.OUTWARD);
-        assertEquals(expected, transmittance(compiled, origin, dx, dy, dz), why);
+        assertEquals(expected, transmittance(prepared, origin, dx, dy, dz), why);
     }
 
     @Test
     void opaqueShadowsTakeNoNoticeOfTransparency() {
-        PreparedScene compiled = Queries.prepared(scene("pln 0 1 0 0 1", "sph 0 3 0 1 4"),
+        PreparedScene prepared = Queries.prepared(scene("pln 0 1 0 0 1", "sph 0 3 0 1 4"),
             ShadowMode.ALL_SURFACES_STOP_LIGHT);
         HitRecord floor = new HitRecord(0, 0, Vector.ZERO, 0, new Vector(0, 1, 0), Departure.OUTWARD);
-        assertEquals(0, transmittance(compiled, floor, 0, 9, 0));
-        assertEquals(1, transmittance(compiled, floor, 9, 9, 0));
+        assertEquals(0, transmittance(prepared, floor, 0, 9, 0));
+        assertEquals(1, transmittance(prepared, floor, 9, 9, 0));
     }
 
     @ParameterizedTest(name = "{0}")
@@ -222,7 +225,7 @@ class PreparedSceneTest {
         for (String body : new String[] {"sph 0 -1 0 1 2", "box 0 -1 0 2 2"}) {
             Vector normal = new Vector(0, seenFrom == Departure.OUTWARD ? 1 : -1, 0);
             HitRecord top = new HitRecord(0, 1, Vector.ZERO, 0, normal, seenFrom);
-            assertEquals(expected, transmittance(compiled(body), top, dx, dy, 0), why);
+            assertEquals(expected, transmittance(prepared(body), top, dx, dy, 0), why);
         }
     }
 }

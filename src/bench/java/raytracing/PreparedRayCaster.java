@@ -18,8 +18,8 @@ import raytracing.trace.RayQuery;
 import raytracing.trace.SegmentQuery;
 import raytracing.trace.ShadowMode;
 
-/** Casts rays into a compiled scene: the only place where the benchmarks know how it is asked. */
-final class CompiledRayCaster implements RayCaster {
+/** Casts rays into a prepared scene: the only place in the benchmarks that calls its queries. */
+final class PreparedRayCaster implements RayCaster {
     /** Beyond every ball of a sphereflake. */
     private static final double AROUND = 3;
 
@@ -30,7 +30,7 @@ final class CompiledRayCaster implements RayCaster {
     private final List<Vector> targets;
 
     /** Rays of a picture of size x size pixels; where an eye's ray meets nothing, the list begins again at its end. */
-    CompiledRayCaster(Scene written, Coherence coherence, int size) {
+    PreparedRayCaster(Scene written, Coherence coherence, int size) {
         PreparedScene scene = Queries.prepared(written, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         walk = new RayQuery(scene);
         line = new SegmentQuery(scene);
