@@ -11,6 +11,7 @@ import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.program.Command;
 import raytracing.program.CommandLine;
+import raytracing.program.ComparedPicture;
 import raytracing.program.Failures;
 import raytracing.program.Option;
 import raytracing.program.Reporter;
@@ -23,7 +24,8 @@ import raytracing.scene.Scene;
 
 /**
  * The program: {@code java -jar RayTracer.jar SCENE OUTPUT [WIDTH HEIGHT] [options]}. Every picture takes three steps:
- * {@link #parseScene}, {@link #renderScene} and {@link #saveImage}.
+ * {@link #parseScene}, {@link #renderScene} and {@link #saveImage}; with {@code --compare} there is a fourth one,
+ * {@link #comparePicture}.
  */
 public final class RayTracer {
     private static final int DONE = 0;
@@ -90,6 +92,10 @@ public final class RayTracer {
             Scene scene = parseScene(command.scene(), reporter);
             Drawing picture = renderScene(scene, command.settings(), reporter);
             saveImage(picture, reporter.file(), reporter);
+            Optional<ComparedPicture> other = reporter.beginComparison();
+            if (other.isPresent()) {
+                comparePicture(other.get(), reporter);
+            }
         } catch (CancelledException stopped) {
             reporter.stopped();
         } finally {
@@ -130,6 +136,20 @@ public final class RayTracer {
             throw reporter.notSaved(failure);
         }
         reporter.saved();
+    }
+
+    /**
+     * The fourth step, of {@code --compare} alone: reads the picture back from its file, prints how far it is from another
+     * one, and writes the map of {@code --compare-map}.
+     *
+     * @throws IOException if one of the two cannot be read, or the map not be written; the picture stays in its file
+     */
+    private static void comparePicture(ComparedPicture other, Reporter reporter) throws IOException {
+        reporter.compared(other.compare());
+        Optional<String> map = other.writeMap();
+        if (map.isPresent()) {
+            reporter.mapped(map.get());
+        }
     }
 
     private static int failed(int status, List<String> messages) {

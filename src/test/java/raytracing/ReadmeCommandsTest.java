@@ -94,6 +94,18 @@ class ReadmeCommandsTest {
     }
 
     @Test
+    void theComparisonPrintsWhatTheReadmeSays() throws Exception {
+        linkJar();
+        Matcher printed = Pattern.compile("<!-- printed by --compare -->\\R    (.*)").matcher(readme());
+        assertTrue(printed.find());
+        String command = DRAWING.matcher(readme()).results().map(match -> match.group())
+            .filter(line -> line.contains("--compare ")).findFirst().orElseThrow();
+        Shell compared = Shell.run(folder, "PATH=$(dirname \"$JAVA\"):$PATH", command + " 2> messages");
+        assertEquals(printed.group(1) + "\n", compared.text());
+        assertEquals(0, compared.status());
+    }
+
+    @Test
     void gnuParallelDrawsThePartsOfAPicture() throws Exception {
         Skipped.unless(Shell.has("convert", "compare", "parallel"), "ImageMagick or GNU parallel is not installed");
         linkJar();

@@ -191,6 +191,61 @@ class WatchTest {
         }
     }
 
+    /** One channel of three is off by 51 steps everywhere, or none is. */
+    @Test
+    void everyPictureIsComparedAndTheTitleSaysSo() throws Exception {
+        String blue = "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.2 0.4 0.6 1 1\n";
+        String bluer = blue.replace("0.6", "0.8");
+        save("scene.txt", blue);
+        BufferedImage sky = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 40 * 30; i++) {
+            sky.setRGB(i % 40, i / 40, 0x336699);
+        }
+        ImageIO.write(sky, "png", folder.resolve("other.png").toFile());
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 40 30 --watch --compare other.png")) {
+            awaitEnd(program, ".*out\\.png: compared with other\\.png: RMS 0 steps.*");
+            save("scene.txt", bluer);
+            awaitEnd(program, ".*out\\.png: compared with other\\.png: RMS 29\\.44 steps.*");
+            Files.delete(folder.resolve("other.png"));
+            save("scene.txt", blue);
+            await("sentence",
+                () -> program.tell("message").equals("--compare: other.png: no such file, expected a picture"));
+            ImageIO.write(sky, "png", folder.resolve("other.png").toFile());
+            save("scene.txt", blue + "# again\n");
+            awaitEnd(program, ".*out\\.png: compared with other\\.png: RMS 0 steps.*");
+            program.order("escape");
+            assertEquals(0, program.await());
+        }
+    }
+
+    @Test
+    void comparedWithItsOwnFileAPictureShowsWhatTheLastSaveChanged() throws Exception {
+        String blue = "cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0.2 0.4 0.6 1 1\n";
+        save("scene.txt", blue);
+        assertEquals(0, Program.run(folder, "scene.txt", "out.png", "40", "30").status());
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 40 30 --watch --compare out.png")) {
+            awaitEnd(program, ".*compared with out\\.png: RMS 0 steps.*");
+            save("scene.txt", blue.replace("0.6", "0.8"));
+            awaitEnd(program, ".*compared with out\\.png: RMS 29\\.44 steps.*");
+            save("scene.txt", blue.replace("0.6", "0.8") + "# the same\n");
+            awaitEnd(program, ".*compared with out\\.png: RMS 0 steps.*");
+            program.order("escape");
+            assertEquals(0, program.await());
+        }
+    }
+
+    /** Before the window opens. */
+    @Test
+    void aWatchedPictureIsNotComparedWithAFileThatIsNotThere() throws Exception {
+        try (VirtualScreen screen = screen();
+             WatchedProgram program = start(screen, "scene.txt out.png 40 30 --watch --compare none.png")) {
+            assertEquals(2, program.await());
+            assertEquals("--compare: none.png: no such file, expected a picture" + System.lineSeparator(), program.errors());
+        }
+    }
+
     /** In the smallest window too: what has no room is reached by its scroll bar. */
     @Test
     void manySentencesAreReadInASmallWindow() throws Exception {

@@ -44,6 +44,11 @@ public final class ImageFile {
         this.format = format;
     }
 
+    /** The name that was given. */
+    public Path name() {
+        return name;
+    }
+
     /**
      * The reason, found out before any work is done, why this file could not be written: a sentence without the file's name;
      * none if it can be. Creates an empty file in its folder, and deletes it, as only this shows what the file system allows.
@@ -94,6 +99,24 @@ public final class ImageFile {
         }
         return older.isRegularFile() && Files.isWritable(name) ? Optional.empty()
             : Optional.of("exists and may not be replaced");
+    }
+
+    /**
+     * Whether another name is one of this file, be it there already or not: the same in other words, a link that leads here,
+     * or a second name of the same file. The folder of this file must exist.
+     */
+    public boolean isSameAs(Path other) throws IOException {
+        List<Path> names = Links.from(other);
+        Path last = names.get(names.size() - 1);
+        if (Files.exists(path) && Files.exists(last)) {
+            return Files.isSameFile(path, last);
+        }
+        return Files.isDirectory(last.resolveSibling("")) && real(path).equals(real(last));
+    }
+
+    /** Of a file that need not exist, in a folder that does. */
+    private static Path real(Path file) throws IOException {
+        return file.resolveSibling("").toRealPath().resolve(file.getFileName());
     }
 
     private Path unfinished() {

@@ -11,6 +11,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import raytracing.film.ImageFile;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
 import raytracing.render.PixelSampling;
@@ -31,17 +32,17 @@ public final class CommandLine {
         Draws a scene file as a picture (.png .jpg .bmp .gif), 500 x 500 by default.
         The picture
           --samples N        smooth edges: N x N rays in pixels at edges; default 1
-          --shadows exact    noise-free: what N x N sampling converges to, and usually
-                             faster than 5 x 5; default sampled, as in the exercise
+          --shadows exact    no noise, usually faster than 5 x 5 rays; default sampled
           --shadow-rays N    N x N shadow rays to each light; default: as the scene says
           --opaque-shadows   glass casts full shadows; by default it dims the light
           --seed N           other random numbers, to tell noise from detail; default 1
           --region X,Y,W,H   draw only this part: left, top, width, height; default all
-        While it is drawn
+        While it is drawn, and after
           --preview          show the picture while rendering; off by default
           --watch            draw again in a window whenever the scene is saved
-          --keep-partial     when stopped, save the finished part (default: keep the old
-                             file); gaps are transparent in a png of up to 2048 x 2048
+          --keep-partial     when stopped, save what is finished; default: keep old file
+          --compare FILE     print how far it is from the picture FILE: RMS, PSNR, ...
+          --compare-map MAP  draw where they differ: black nowhere, white most
           --threads N        how many threads draw; default: one for each processor
           --stats[=json]     print at the end counts of rays, times, memory; default off
           --quiet            print only errors; default: progress and a summary
@@ -54,6 +55,8 @@ public final class CommandLine {
         """;
 
     private static final String USAGE = "expected SCENE OUTPUT [WIDTH HEIGHT] [options], see --help";
+    private static final String UNKNOWN_FORMAT = ": unknown picture format";
+    private static final String KNOWN_FORMATS = ", expected a name ending in .png, .jpg, .bmp or .gif";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
 
@@ -65,6 +68,8 @@ public final class CommandLine {
     private RenderSettings settings = RenderSettings.DEFAULT;
     private OptionalInt shadowRayRoot = OptionalInt.empty();
     private Optional<String> region = Optional.empty();
+    private Optional<String> compared = Optional.empty();
+    private Optional<String> comparisonMap = Optional.empty();
     private boolean exactShadows;
 
     private CommandLine() {
@@ -120,6 +125,8 @@ public final class CommandLine {
         String text = value.orElse("");
         switch (option) {
             case REGION -> region = value;
+            case COMPARE -> compared = value;
+            case COMPARE_MAP -> comparisonMap = value;
             case SAMPLES -> settings = settings.withSampling(
                 new PixelSampling(wholeNumber(option.word, text, MOST_SAMPLES), PixelSampling.Where.EDGES));
             case SHADOWS -> exactShadows = isExact(text);
@@ -196,7 +203,7 @@ public final class CommandLine {
         String output = operands.get(1);
         Optional<ImageFormat> format = ImageFormat.ofEnding(output);
         if (format.isEmpty()) {
-            throw wrongOperands(output + ": unknown picture format", ", expected a name ending in .png, .jpg, .bmp or .gif");
+            throw wrongOperands(output + UNKNOWN_FORMAT, KNOWN_FORMATS);
         }
         settings = sized(format.get());
         if (extras.contains(Option.WATCH) && extras.contains(Option.KEEP_PARTIAL)) {
@@ -204,7 +211,36 @@ public final class CommandLine {
                 + "always the last finished picture");
         }
         return new Command.Draw(path(operands.get(0)), path(output), format.get(),
-            settings.withShadowMethod(shadowMethod()), extras);
+            settings.withShadowMethod(shadowMethod()), extras, compare());
+    }
+
+    private Optional<Command.Compare> compare() throws RayTracerException {
+        if (compared.isEmpty() && comparisonMap.isPresent()) {
+            throw new RayTracerException("--compare-map: needs --compare FILE, which says what to compare the picture with");
+        }
+        if (compared.isEmpty()) {
+            return Optional.empty();
+        }
+        if (compared.get().isEmpty()) {
+            throw new RayTracerException("--compare: needs the name of a picture");
+        }
+        return Optional.of(new Command.Compare(path(compared.get()),
+            comparisonMap.isPresent() ? Optional.of(comparisonMap(comparisonMap.get())) : Optional.empty()));
+    }
+
+    /** The file of a map, which is as large as the picture. */
+    private ImageFile comparisonMap(String name) throws RayTracerException {
+        Optional<ImageFormat> format = ImageFormat.ofEnding(name);
+        if (format.isEmpty()) {
+            throw new RayTracerException("--compare-map: " + name + UNKNOWN_FORMAT + KNOWN_FORMATS);
+        }
+        Region picture = settings.region();
+        if (Math.max(picture.width(), picture.height()) > format.get().longestSide()
+                || picture.pixelCount() > format.get().mostPixels()) {
+            throw new RayTracerException("--compare-map: " + picture.width() + " x " + picture.height()
+                + " pixels are too many for a file of this format; give the map a name ending in .png");
+        }
+        return new ImageFile(path(name), format.get());
     }
 
     private String wrongCount() {

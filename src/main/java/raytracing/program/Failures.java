@@ -2,6 +2,7 @@ package raytracing.program;
 
 import java.io.IOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import raytracing.parse.Printable;
@@ -25,6 +26,11 @@ public final class Failures {
         }
         return List.of(failure instanceof OutOfMemoryError shortage ? shortage(shortage)
             : "this is a defect of the program, please report it: " + failure);
+    }
+
+    /** The error to throw if a picture file cannot be written; its message says what the file contains now. */
+    static IOException notWritten(Path file, IOException failure) {
+        return new IOException(file + ": could not be written: " + reason(failure) + "; the file is as it was");
     }
 
     /** Virtual machines throw the same error if the system allows no more threads. */

@@ -1,8 +1,12 @@
 package raytracing.program;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Locale;
 import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
+import raytracing.film.Comparison;
+import raytracing.film.DifferenceMap;
 import raytracing.film.ImageFormat;
 import raytracing.render.Drawing;
 import raytracing.render.Region;
@@ -32,6 +36,32 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
         String share = output + ": stopped at " + (int) (100 * drawing.progress().share()) + " %, ";
         return share + (!drawing.isPartial() ? "the file is as it was" : "what was finished is in the file; the rest is "
             + (format.showsGaps(drawing) ? "transparent" : "in the colour of the background"));
+    }
+
+    /** Why a picture that is not whole is not compared. */
+    String notCompared(String file) {
+        return output + ": not compared with " + file + ", as the picture is not whole";
+    }
+
+    /** How far the picture is from that of a file; the figures are easily found by programs. */
+    String compared(String file, Comparison comparison) {
+        return output + ": compared with " + file + ": RMS " + figure(comparison.rootMeanSquare()) + " steps, PSNR "
+            + decibels(comparison.psnr()) + " dB, largest difference " + comparison.largest() + " of 255, "
+            + figure(100 * comparison.shareOff()) + " % of the pixels off by more than 1 step";
+    }
+
+    static String mapped(String map) {
+        return map + ": where the pictures differ: " + DifferenceMap.LEGEND;
+    }
+
+    /** Four digits from the first that is not 0, so that no difference looks like none. */
+    static String figure(double number) {
+        return new BigDecimal(number).round(new MathContext(4)).toPlainString();
+    }
+
+    /** Two decimals, or Infinity. */
+    static String decibels(double number) {
+        return Double.isInfinite(number) ? String.valueOf(number) : String.format(Locale.ROOT, "%.2f", number);
     }
 
     /** Whether a finished picture shows no surface; false for a region of a picture, which may well show none. */

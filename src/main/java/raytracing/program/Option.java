@@ -22,6 +22,8 @@ public enum Option {
 
     /** What {@link #STATS} with its value becomes. */
     STATS_AS_JSON("--stats=json", Value.NONE),
+    COMPARE("--compare", Value.REQUIRED),
+    COMPARE_MAP("--compare-map", Value.REQUIRED),
     QUIET("--quiet", Value.NONE),
     HELP("--help", Value.NONE),
     VERSION("--version", Value.NONE);

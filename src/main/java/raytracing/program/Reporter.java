@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import raytracing.film.Comparison;
 import raytracing.film.ImageFile;
 import raytracing.parallel.Preparation;
 import raytracing.parse.ParsedScene;
@@ -35,6 +36,10 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
     private Optional<Preview> preview;
     private Optional<Thread> encoder = Optional.empty();
     private Optional<Prepared> prepared = Optional.empty();
+    private Optional<ComparedPicture> compared = Optional.empty();
+
+    /** Of {@code --stats=json}, printed when the comparison is in it. */
+    private Optional<Statistics> statistics = Optional.empty();
     private long parsedAt;
     private boolean isLineShown;
     private boolean isWhole;
@@ -82,14 +87,18 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
         if (saves.isPresent()) {
             interruption.begin();
         }
-        encoder = Optional.of(prepareOutput());
         if (!command.wants(Option.QUIET) && ProgressLine.isOnTerminal()) {
             isLineShown = true;
             line.begin();
         }
+        encoder = Optional.of(prepareOutput());
     }
 
-    /** Refuses an output that cannot become a picture file, else begins to load what writes it, in the thread returned. */
+    /**
+     * Refuses an output that cannot become a picture file, and what cannot be compared with it; else begins to load what
+     * writes the file, in the thread returned. The picture to compare with is read before, as it needs some of the same
+     * classes of Java.
+     */
     Thread prepareOutput() throws RayTracerException, IOException {
         Optional<String> obstacle;
         try {
@@ -99,6 +108,9 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
         }
         if (obstacle.isPresent()) {
             throw new RayTracerException(command.output() + ": " + obstacle.get());
+        }
+        if (command.compare().isPresent()) {
+            compared = Optional.of(ComparedPicture.open(command, command.compare().get()));
         }
         return file.prepare();
     }
@@ -152,12 +164,12 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
 
     /** The error to throw if the picture file cannot be written; its message says what the file contains now. */
     public IOException notSaved(IOException failure) {
-        return new IOException(command.output() + ": could not be written: " + Failures.reason(failure)
-            + "; the file is as it was");
+        return Failures.notWritten(command.output(), failure);
     }
 
     /**
-     * The picture file is written: prints the summary, and the statistics of {@code --stats}.
+     * The picture file is written: prints the summary, and the statistics of {@code --stats}; those for programs only if no
+     * comparison belongs to them.
      *
      * @throws IOException if standard output takes no statistics
      */
@@ -170,17 +182,72 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
             finishWhole(messages.finished(done.drawing, done.renderer.ambientLight(), end - start), done);
         } else {
             print(messages.stopped(done.drawing));
+            if (compared.isPresent()) {
+                print(messages.notCompared(compared.get().name()));
+            }
         }
         if (command.wants(Option.STATS) || command.wants(Option.STATS_AS_JSON)) {
-            Statistics statistics = new Statistics(command.scene().toString(), done.scene, command.settings(), done.renderer,
-                done.drawing, new Statistics.Times(parsedAt - start, end - done.time, end - start));
-            if (command.wants(Option.STATS)) {
-                System.err.print(statistics.text());
-            }
-            if (command.wants(Option.STATS_AS_JSON)) {
-                printOutput(statistics.json());
-            }
+            printStatistics(new Statistics(command.scene().toString(), done.scene, command.settings(), done.renderer,
+                done.drawing, new Statistics.Times(parsedAt - start, end - done.time, end - start)));
         }
+    }
+
+    private void printStatistics(Statistics whole) throws IOException {
+        if (command.wants(Option.STATS)) {
+            System.err.print(whole.text());
+        }
+        if (command.wants(Option.STATS_AS_JSON) && isToBeCompared()) {
+            statistics = Optional.of(whole);
+        } else if (command.wants(Option.STATS_AS_JSON)) {
+            printOutput(whole.json());
+        }
+    }
+
+    /**
+     * What the picture is to be compared with; empty if nothing is, or if the picture is not whole in its file. As nothing can
+     * be lost any more, signals end the program at once from now on.
+     */
+    public Optional<ComparedPicture> beginComparison() {
+        if (!isToBeCompared()) {
+            return Optional.empty();
+        }
+        interruption.end();
+        try {
+            encoder.get().join();                // two threads that load Java's picture classes may wait for each other
+        } catch (InterruptedException request) {
+            Thread.currentThread().interrupt();
+        }
+        return compared;
+    }
+
+    private boolean isToBeCompared() {
+        return isWhole && compared.isPresent();
+    }
+
+    /**
+     * The picture is compared: prints how far it is from the other one. With {@code --stats=json}, that is a part of the
+     * statistics, so that standard output has nothing but JSON.
+     *
+     * @throws IOException if standard output does not take it
+     */
+    public void compared(Comparison comparison) throws IOException {
+        String other = compared.get().name();
+        String sentence = messages.compared(other, comparison);
+        if (statistics.isPresent()) {
+            print(sentence);
+            statistics.get().addComparison(other, comparison);
+            printOutput(statistics.get().json());
+        } else {
+            printOutput(Printable.of(sentence) + System.lineSeparator());
+        }
+        if (preview.isPresent()) {
+            preview.get().end(sentence);
+        }
+    }
+
+    /** The map of the differences is written: prints what its colours mean. */
+    public void mapped(String map) {
+        print(Messages.mapped(map));
     }
 
     private void finishWhole(String summary, Prepared done) {
@@ -207,6 +274,9 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
     /** After success and failure: takes the progress line away. A watched scene's next picture gets signals of its own. */
     public void end() {
         line.end();
+        if (compared.isPresent()) {
+            compared.get().close();
+        }
         if (saves.isPresent()) {
             interruption.end();                  // also after a failure: no signal may wait for this drawing any more
         }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
+import raytracing.film.Comparison;
 import raytracing.parse.Printable;
 import raytracing.render.Drawing;
 import raytracing.render.Region;
@@ -166,6 +167,17 @@ final class Statistics {
         } catch (IOException notLinux) {
             // the group is left out
         }
+    }
+
+    /** Adds how far the picture is from that of a file. JSON has no infinity: there, the PSNR of equal pictures is null. */
+    void addComparison(String file, Comparison comparison) {
+        begin("comparison");
+        add("file", Printable.of(file), quoted(file));
+        add("RMS in steps", Messages.figure(comparison.rootMeanSquare()), String.valueOf(comparison.rootMeanSquare()));
+        double psnr = comparison.psnr();
+        add("PSNR in dB", Messages.decibels(psnr), Double.isInfinite(psnr) ? "null" : String.valueOf(psnr));
+        addCount("largest difference in steps", comparison.largest());
+        addShare("share of pixels off by more than a step", comparison.off(), comparison.pixels());
     }
 
     /** A table with a line for each value. */

@@ -30,7 +30,9 @@ public final class Watch {
      * @throws IOException if the system does not let the window be opened or the file be watched
      */
     public static Watch open(Command.Draw command) throws RayTracerException, IOException {
-        Thread encoder = new Reporter(command).prepareOutput();
+        Reporter first = new Reporter(command);
+        Thread encoder = first.prepareOutput();
+        first.end();
         Saves saves = new Saves(command.scene());
         Preview preview = Preview.openToWatch(command.output().toString(), command.settings().region(),
             command.scene().toString(), saves::end, encoder);

@@ -146,6 +146,13 @@ class CommandLineTest {
         "s.txt o.jpg 99999 9 --region 0,0,65501,1 | --region: width and height must be at most 65500 in a file of this format, got 0,0,65501,1",
         "s.txt o.png --stats=xml   | --stats: must be json or nothing, got xml",
         "s.txt o.png --keep-partial --watch | --keep-partial: cannot be combined with --watch, where the picture file is always the last finished picture",
+        "s.txt o.png --compare     | --compare: needs a value, see --help",
+        "s.txt o.png --compare=    | --compare: needs the name of a picture",
+        "s.txt o.png --compare-map m.png | --compare-map: needs --compare FILE, which says what to compare the picture with",
+        "s.txt o.png --compare a.png --compare-map m.tif | --compare-map: m.tif: unknown picture format, expected a name ending in .png, .jpg, .bmp or .gif",
+        "s.txt o.png 65536 9 --compare a.png --compare-map m.gif | --compare-map: 65536 x 9 pixels are too many for a file of this format; give the map a name ending in .png",
+        "s.txt o.png 30000 30000 --compare a.png --compare-map m.bmp | --compare-map: 30000 x 30000 pixels are too many for a file of this format; give the map a name ending in .png",
+        "s.txt o.png --compair a.png | --compair: unknown option, did you mean --compare? See --help",
         "s.txt o.png --quiet=1     | --quiet: takes no value, got 1",
         "-h                        | -h: unknown option, did you mean --help? See --help",
     })
@@ -229,6 +236,23 @@ class CommandLineTest {
         assertEquals(80, settings.width());
         assertEquals(80, settings.height());
         assertEquals(new Region(10, 20, 80, 80), settings.region());
+    }
+
+    @Test
+    void aPictureIsComparedWithAFileAndMaybeIntoAMap() throws RayTracerException {
+        assertEquals(Optional.empty(), draw("s.txt o.png").compare());
+        assertEquals(Optional.of(new Command.Compare(Path.of("a.txt"), Optional.empty())),
+            draw("s.txt o.png --compare a.txt").compare());
+        Command.Compare compare = draw("s.txt --compare-map=m.GIF o.png --compare a.png").compare().orElseThrow();
+        assertEquals(Path.of("a.png"), compare.file());
+        assertEquals(Path.of("m.GIF"), compare.map().orElseThrow().name());
+    }
+
+    /** The map is as large as the region. */
+    @Test
+    void aMapNeedsNoMorePixelsThanTheRegion() throws RayTracerException {
+        Command.Draw draw = draw("s.txt o.png 99999 9 --region 9,0,65500,1 --compare a.png --compare-map m.jpg");
+        assertTrue(draw.compare().isPresent());
     }
 
     @Test
