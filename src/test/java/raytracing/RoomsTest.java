@@ -19,7 +19,8 @@ import java.util.concurrent.TimeUnit;
 @AnalyzeClasses(packages = "raytracing", importOptions = TheProgramAlone.class)
 class RoomsTest {
     private static final List<String> ROOMS = List.of("parallel", "math", "color", "area", "hierarchy", "surface", "scene",
-        "parse", "trace", "shadow", "ambient", "shade", "estimate", "film", "render", "preview", "program");
+        "parse", "trace", "outline", "shadow", "ambient", "shade", "estimate", "film", "render", "preview",
+        "program");
 
     private static String[] packages(List<String> rooms) {
         return rooms.stream().map(room -> "raytracing." + room).toArray(String[]::new);

@@ -39,8 +39,8 @@ public final class CameraRays {
      * @return false where the lens shows black: no light arrives there, or only from behind the camera
      */
     public boolean start(double x, double y, Ray ray) {
-        double right = (x / width - 0.5) * screenWidth;
-        double up = (0.5 - y / height) * screenHeight;
+        double right = right(x);
+        double up = up(y);
         double forward = screenDistance;
         if (right == 0 && up == 0) {         // the distance may be 0
             forward = 1;
@@ -63,5 +63,40 @@ public final class CameraRays {
             forward * forwardAxis.y() + right * rightAxis.y() + up * upAxis.y(),
             forward * forwardAxis.z() + right * rightAxis.z() + up * upAxis.z());
         return true;
+    }
+
+    private double right(double x) {
+        return (x / width - 0.5) * screenWidth;
+    }
+
+    private double up(double y) {
+        return (0.5 - y / height) * screenHeight;
+    }
+
+    /**
+     * How far a point of the picture is from its middle, in screen distances, as {@link #start} computes it. It never falls
+     * while x or y goes away from the middle: all three roundings keep the order of numbers.
+     */
+    public double radius(double x, double y) {
+        return Vector.length(right(x), up(y), 0) / screenDistance;
+    }
+
+    /** The edges of how many pixels are as long as the screen distance. */
+    public double pixelsPerScreenDistance() {
+        return width * (screenDistance / screenWidth);
+    }
+
+    public Camera camera() {
+        return camera;
+    }
+
+    /** Width of the picture in pixels. */
+    public int width() {
+        return width;
+    }
+
+    /** Height of the picture in pixels. */
+    public int height() {
+        return height;
     }
 }

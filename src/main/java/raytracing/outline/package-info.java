@@ -1,0 +1,2 @@
+/** Which pixels hold an outline: where two rays through the same pixel may see different surfaces. */
+package raytracing.outline;

@@ -1,0 +1,183 @@
+package raytracing.outline;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import raytracing.color.Color;
+import raytracing.math.Vector;
+import raytracing.scene.Camera;
+import raytracing.scene.Fisheye;
+import raytracing.scene.Lens;
+import raytracing.scene.Material;
+import raytracing.scene.Pinhole;
+import raytracing.scene.Scene;
+import raytracing.scene.Settings;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
+
+/** Random scenes whose outlines are hard to find, each with a camera in the middle of things. */
+final class RandomViews {
+    /** What is hard about a scene. */
+    enum Kind {
+        /** Anything anywhere, the eye inside some of it. */
+        CROWD,
+        /** Transparent bodies inside one another. */
+        NESTED,
+        /** Round numbers: bodies touch, share faces and coincide, and the eye lies in planes and faces. */
+        GRID,
+        /** Hundreds of bodies smaller than pixels before a wall. */
+        DUST,
+        /** The eye is in a room with boxes on its floor. */
+        ROOM,
+        /** More bodies than are tested one by one. */
+        MANY,
+        /** Thousands, of which a square may see more than it can keep. */
+        HEAP
+    }
+
+    private static final int MATERIALS = 3;
+    private final SplittableRandom random;
+
+    RandomViews(SplittableRandom random) {
+        this.random = random;
+    }
+
+    /** With all lengths multiplied, and moved away from the origin of the world by so many units before that. */
+    Scene scene(Kind kind, double scale, double far) {
+        List<Surface> surfaces = new ArrayList<>();
+        switch (kind) {
+            case CROWD -> crowd(surfaces, random.nextInt(1, 12), 0.1, 2);
+            case NESTED -> nested(surfaces);
+            case GRID -> grid(surfaces);
+            case DUST -> dust(surfaces);
+            case ROOM -> room(surfaces);
+            case MANY -> crowd(surfaces, 300, 0.02, 0.5);
+            case HEAP -> crowd(surfaces, 3000, 0.01, 0.1);
+        }
+        boolean isRound = kind == Kind.GRID;
+        Vector eye = isRound ? new Vector(random.nextInt(-4, 5), random.nextInt(-4, 5), random.nextInt(-4, 5))
+            : kind == Kind.DUST ? new Vector(0, 0, -10) : vector(kind == Kind.ROOM ? 1.8 : 4);
+        Vector aim = isRound && random.nextBoolean() ? new Vector(eye.x(), eye.y(), eye.z() + 1)
+            : kind == Kind.DUST ? new Vector(0.1, 0.2, 5) : plus(eye, vector(1), 1);
+        Vector away = new Vector(far, far / 3, -far / 7);
+        double[] distances = {1, 1, 0.3, 3, 30};
+        Camera camera = new Camera(plus(eye, away, 1).times(scale), plus(aim, away, 1).times(scale),
+            new Vector(0.1, 1, 0.07), distances[random.nextInt(distances.length)] * random.nextDouble(0.8, 1.2),
+            random.nextDouble(0.5, 2), lens());
+        List<Surface> placed = new ArrayList<>();
+        for (Surface surface : surfaces) {
+            placed.add(placed(surface, scale, away));
+        }
+        return new Scene(camera, new Settings(Color.BLACK, 1, 1, 1), materials(), placed, List.of());
+    }
+
+    private Lens lens() {
+        double[] ks = {-1, -0.7, -1e-9, 0, 1e-9, 0.5, 0.95};
+        return random.nextBoolean() ? new Pinhole()
+            : new Fisheye(random.nextBoolean() ? ks[random.nextInt(ks.length)] : random.nextDouble(-1, 1));
+    }
+
+    private static List<Material> materials() {
+        List<Material> materials = new ArrayList<>();
+        for (int i = 0; i < MATERIALS; i++) {
+            materials.add(new Material(Color.BLACK, Color.BLACK, Color.BLACK, 1, i == 0 ? 0 : 0.5, Color.BLACK));
+        }
+        return materials;
+    }
+
+    private static Surface placed(Surface surface, double scale, Vector away) {
+        return surface.accept(new Surface.Visitor<Surface>() {
+            @Override
+            public Surface visit(Sphere sphere) {
+                return new Sphere(plus(sphere.centre(), away, 1).times(scale), scale * sphere.radius(), sphere.material());
+            }
+
+            @Override
+            public Surface visit(Plane plane) {
+                return new Plane(plane.normal(), scale * (plane.offset() + plane.normal().dot(away)), plane.material());
+            }
+
+            @Override
+            public Surface visit(Box box) {
+                return new Box(plus(box.centre(), away, 1).times(scale), scale * box.edge(), box.material());
+            }
+        });
+    }
+
+    private static Vector plus(Vector a, Vector b, double factor) {
+        return new Vector(a.x() + factor * b.x(), a.y() + factor * b.y(), a.z() + factor * b.z());
+    }
+
+    private Vector vector(double size) {
+        return new Vector(random.nextDouble(-size, size), random.nextDouble(-size, size), random.nextDouble(-size, size));
+    }
+
+    private int material() {
+        return random.nextInt(MATERIALS);
+    }
+
+    private void crowd(List<Surface> surfaces, int size, double least, double most) {
+        for (int i = 0; i < size; i++) {
+            int kind = size > 100 ? random.nextInt(4) : random.nextInt(5);
+            double length = random.nextDouble(least, most);
+            if (kind < 2) {
+                surfaces.add(new Sphere(vector(4), length, material()));
+            } else if (kind < 4) {
+                surfaces.add(new Box(vector(4), 2 * length, material()));
+            } else {
+                surfaces.add(new Plane(vector(3), random.nextDouble(-9, 9), material()));
+            }
+        }
+    }
+
+    private void nested(List<Surface> surfaces) {
+        Vector centre = vector(2);
+        double size = random.nextDouble(1, 4);
+        for (int i = 0; i < 6; i++) {
+            size *= random.nextDouble(0.5, 1);
+            boolean isOpaque = i == 5 && random.nextBoolean();
+            surfaces.add(random.nextBoolean() ? new Sphere(plus(centre, vector(0.1), 1), size, isOpaque ? 0 : 1)
+                : new Box(plus(centre, vector(0.1), 1), size, isOpaque ? 0 : 2));
+        }
+        surfaces.add(new Plane(vector(1), -9, 0));
+    }
+
+    private void grid(List<Surface> surfaces) {
+        int size = random.nextInt(2, 9);
+        for (int i = 0; i < size; i++) {
+            Vector place = new Vector(random.nextInt(-2, 3), random.nextInt(-2, 3), random.nextInt(-2, 3));
+            switch (random.nextInt(3)) {
+                case 0 -> surfaces.add(new Sphere(place, random.nextInt(1, 4), material()));
+                case 1 -> surfaces.add(new Box(place, random.nextInt(1, 4), material()));
+                default -> surfaces.add(new Plane(place.isZero() ? new Vector(0, 1, 0) : place, random.nextInt(-3, 4),
+                    material()));
+            }
+        }
+    }
+
+    private void dust(List<Surface> surfaces) {
+        surfaces.add(new Plane(new Vector(0, 0, 1), 9, 0));
+        for (int i = 0; i < 300; i++) {
+            double radius = 0.1 * Math.scalb(1, -random.nextInt(1, 12));
+            surfaces.add(random.nextInt(4) > 0 ? new Sphere(vector(4), radius, material())
+                : new Box(vector(4), radius, material()));
+        }
+    }
+
+    private void room(List<Surface> surfaces) {
+        for (int side = -1; side < 2; side += 2) {
+            surfaces.add(new Plane(new Vector(1, 0, 0), side * 2, 0));
+            surfaces.add(new Plane(new Vector(0, 1, 0), side * 2, 0));
+            surfaces.add(new Plane(new Vector(0, 0, 1), side * 2, 0));
+        }
+        for (int i = 0; i < 5; i++) {
+            double edge = random.nextDouble(0.2, 1);
+            double x = random.nextDouble(-1.5, 1.5);
+            double z = random.nextDouble(-1.5, 1.5);
+            surfaces.add(i % 2 == 0 ? new Box(new Vector(x, edge / 2 - 2, z), edge, material())
+                : new Sphere(new Vector(x, edge / 2 - 2, z), edge / 2, material()));
+        }
+    }
+}
