@@ -8,7 +8,7 @@ import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
 import raytracing.film.Film;
 import raytracing.parse.RayTracerException;
-import raytracing.render.PixelSampling;
+import raytracing.render.PixelGrid;
 import raytracing.render.RenderSettings;
 import raytracing.scene.CameraRays;
 import raytracing.scene.Scene;
@@ -95,7 +95,7 @@ final class EdgeRules {
 
     private static Film everywhere(Scene scene, RenderSettings settings, int root) {
         return Steps.renderScene(scene,
-            settings.withSampling(new PixelSampling(root, PixelSampling.Where.EVERYWHERE)));
+            settings.withSampling(new PixelGrid(root, PixelGrid.Where.EVERYWHERE)));
     }
 
     private static long[] fingerprints(Scene scene) {

@@ -78,6 +78,20 @@ class ProgramTest {
     }
 
     @Test
+    void anErrorLimitComesWithTheErrorThatCameOut() throws Exception {
+        Program program = run("scene.txt", "out.png", "40", "30", "--error", "2");
+        assertEquals(0, program.status(), program.errors());
+        assertTrue(program.errors().matches(DRAWING + "out\\.png: 40 x 30 pixels in \\d+ ms, "
+            + "error about \\d\\.\\d+ steps \\(largest \\d\\.\\d+\\), \\d+ % of the pixels with more than one ray\\R"), program.errors());
+    }
+
+    @Test
+    void aFormatThatLosesMoreIsNamedBesideTheError() throws Exception {
+        assertTrue(run("scene.txt", "out.jpg", "40", "30", "--error", "2").errors()
+            .contains(" of the pixels with more than one ray, and jpeg itself loses more"));
+    }
+
+    @Test
     void smoothEdgesComeWithTheShareOfPixelsThatNeededThem() throws Exception {
         Program program = run("scene.txt", "out.png", "40", "30", "--samples", "3");
         assertEquals(0, program.status(), program.errors());

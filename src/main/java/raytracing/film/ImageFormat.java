@@ -61,6 +61,11 @@ public enum ImageFormat {
         return this == PNG && bands.count() == 1;
     }
 
+    /** Whether a file has other colours than its picture, so that it is smaller. */
+    public boolean isLossy() {
+        return this == JPEG || this == GIF;
+    }
+
     Reading reading() {
         return reading;
     }

@@ -14,7 +14,8 @@ import java.util.regex.Pattern;
 import raytracing.film.ImageFile;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
-import raytracing.render.PixelSampling;
+import raytracing.render.ErrorLimit;
+import raytracing.render.PixelGrid;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.scene.Settings;
@@ -32,6 +33,7 @@ public final class CommandLine {
         Draws a scene file as a picture (.png .jpg .bmp .gif), 500 x 500 by default.
         The picture
           --samples N        smooth edges: N x N rays in pixels at edges; default 1
+          --error E          rays until pixels are right to E steps of 1/255, 0.25 to 64
           --shadows exact    no noise, usually faster than 5 x 5 rays; default sampled
           --shadow-rays N    N x N shadow rays to each light; default: as the scene says
           --opaque-shadows   glass casts full shadows; by default it dims the light
@@ -48,9 +50,8 @@ public final class CommandLine {
           --quiet            print only errors; default: progress and a summary
           --help  --version  print this text, or the version, and draw nothing
           --                 all words after it are names and sizes, even -scene.txt
-        Examples: a first look, then the final picture
-          java -jar RayTracer.jar scenes/boxes.txt boxes.png
-          java -jar RayTracer.jar scenes/boxes.txt big.png 1920 1080 --samples 3
+        Examples: java -jar RayTracer.jar scenes/boxes.txt boxes.png
+                  java -jar RayTracer.jar scenes/boxes.txt big.png 1920 1080 --error 1
         Exit status: 0 done, 1 the machine failed, 2 scene or command wrong, 130 stopped
         """;
 
@@ -59,6 +60,8 @@ public final class CommandLine {
     private static final String KNOWN_FORMATS = ", expected a name ending in .png, .jpg, .bmp or .gif";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
+    private static final String EXACT = "exact";
+    private static final String SAMPLED = "sampled";
 
     /** Stands for a character of the command line or of a folder's name that Java cannot decode in the locale. */
     private static final char UNDECODED = '\ufffd';
@@ -70,7 +73,9 @@ public final class CommandLine {
     private Optional<String> region = Optional.empty();
     private Optional<String> compared = Optional.empty();
     private Optional<String> comparisonMap = Optional.empty();
-    private boolean exactShadows;
+    private Optional<PixelGrid> samples = Optional.empty();
+    private Optional<ErrorLimit> error = Optional.empty();
+    private Optional<String> shadows = Optional.empty();
 
     private CommandLine() {
     }
@@ -127,9 +132,10 @@ public final class CommandLine {
             case REGION -> region = value;
             case COMPARE -> compared = value;
             case COMPARE_MAP -> comparisonMap = value;
-            case SAMPLES -> settings = settings.withSampling(
-                new PixelSampling(wholeNumber(option.word, text, MOST_SAMPLES), PixelSampling.Where.EDGES));
-            case SHADOWS -> exactShadows = isExact(text);
+            case SAMPLES -> samples =
+                Optional.of(new PixelGrid(wholeNumber(option.word, text, MOST_SAMPLES), PixelGrid.Where.EDGES));
+            case ERROR -> error = Optional.of(errorLimit(text));
+            case SHADOWS -> shadows = Optional.of(shadows(text));
             case SHADOW_RAYS -> shadowRayRoot =
                 OptionalInt.of(wholeNumber(option.word, text, Settings.LARGEST_SHADOW_RAY_ROOT));
             case OPAQUE_SHADOWS -> settings = settings.withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT);
@@ -155,23 +161,37 @@ public final class CommandLine {
         return Option.STATS_AS_JSON;
     }
 
-    private static boolean isExact(String method) throws RayTracerException {
-        return switch (method) {
-            case "exact" -> true;
-            case "sampled" -> false;
-            default -> throw wrong("--shadows", "sampled or exact", method);
-        };
+    private static ErrorLimit errorLimit(String value) throws RayTracerException {
+        double steps = value.matches("\\d{1,9}(\\.\\d{1,9})?|\\.\\d{1,9}") ? Double.parseDouble(value) : 0;
+        if (!(steps >= ErrorLimit.LEAST && steps <= ErrorLimit.MOST)) {
+            throw wrong("--error", "a number of steps of 1/255 from 0.25 to 64, such as 1 or 0.5", value);
+        }
+        return new ErrorLimit(steps);
     }
 
-    private ShadowMethod shadowMethod() throws RayTracerException {
-        if (!exactShadows) {
-            return new ShadowMethod.Sampled(shadowRayRoot);
+    private static String shadows(String method) throws RayTracerException {
+        if (!method.equals(EXACT) && !method.equals(SAMPLED)) {
+            throw wrong("--shadows", "sampled or exact", method);
+        }
+        return method;
+    }
+
+    /** How many rays a pixel gets, and how soft shadows are found: unless given, without noise if the error is limited. */
+    private RenderSettings withMethods() throws RayTracerException {
+        if (error.isPresent() && samples.isPresent()) {
+            throw new RayTracerException("--error: finds out how many rays each pixel needs, so it cannot be combined "
+                + "with --samples");
+        }
+        RenderSettings sampled = error.isPresent() ? settings.withSampling(error.get())
+            : settings.withSampling(samples.orElse(PixelGrid.ONE_RAY));
+        if (shadows.orElse(error.isPresent() ? EXACT : SAMPLED).equals(SAMPLED)) {
+            return sampled.withShadowMethod(new ShadowMethod.Sampled(shadowRayRoot));
         }
         if (shadowRayRoot.isPresent()) {
-            throw new RayTracerException("--shadow-rays: exact shadows need none, so it cannot be combined "
-                + "with --shadows exact");
+            throw new RayTracerException("--shadow-rays: exact shadows need none, so it cannot be combined with "
+                + (shadows.isPresent() ? "--shadows exact" : "--error, unless with --shadows sampled"));
         }
-        return new ShadowMethod.Exact();
+        return sampled.withShadowMethod(new ShadowMethod.Exact());
     }
 
     private static long seed(String value) throws RayTracerException {
@@ -210,8 +230,8 @@ public final class CommandLine {
             throw new RayTracerException("--keep-partial: cannot be combined with --watch, where the picture file is "
                 + "always the last finished picture");
         }
-        return new Command.Draw(path(operands.get(0)), path(output), format.get(),
-            settings.withShadowMethod(shadowMethod()), extras, compare());
+        settings = withMethods();
+        return new Command.Draw(path(operands.get(0)), path(output), format.get(), settings, extras, compare());
     }
 
     private Optional<Command.Compare> compare() throws RayTracerException {

@@ -9,6 +9,8 @@ import raytracing.film.Comparison;
 import raytracing.film.DifferenceMap;
 import raytracing.film.ImageFormat;
 import raytracing.render.Drawing;
+import raytracing.render.ErrorTally;
+import raytracing.render.PixelGrid;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 
@@ -85,9 +87,31 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
     }
 
     private String refinement(Drawing drawing) {
-        int root = settings.sampling().root();
-        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays",
-            100.0 * drawing.progress().refined() / settings.region().pixelCount(), root, root);
+        if (!(settings.sampling() instanceof PixelGrid grid)) {
+            return errors(drawing);
+        }
+        int root = grid.root();
+        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays", refined(drawing), root, root);
+    }
+
+    private double refined(Drawing drawing) {
+        return 100.0 * drawing.progress().refined() / settings.region().pixelCount();
+    }
+
+    /** What came out under an error limit. */
+    private String errors(Drawing drawing) {
+        ErrorTally errors = drawing.errors();
+        String sentence = String.format(Locale.ROOT, ", error about %s steps (largest %s), %.0f %% of the pixels with more "
+            + "than one ray", steps(errors.error()), steps(errors.largest()), refined(drawing));
+        if (errors.unfinished() > 0) {
+            sentence += String.format(Locale.ROOT, ", %d of them need more than %d rays and may be off by up to %s steps",
+                errors.unfinished(), ErrorTally.rays(ErrorTally.levels() - 1), steps(errors.largestUnfinished()));
+        }
+        return sentence + (format.isLossy() ? ", and " + format.name().toLowerCase(Locale.ROOT) + " itself loses more" : "");
+    }
+
+    private static String steps(double error) {
+        return String.format(Locale.ROOT, error < 0.1 ? "%.2f" : "%.1f", error);
     }
 
     private static String ambience(AmbientLight light) {

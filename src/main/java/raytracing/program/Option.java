@@ -10,6 +10,7 @@ import raytracing.parse.Spelling;
 public enum Option {
     REGION("--region", Value.REQUIRED),
     SAMPLES("--samples", Value.REQUIRED),
+    ERROR("--error", Value.REQUIRED),
     SHADOWS("--shadows", Value.REQUIRED),
     SHADOW_RAYS("--shadow-rays", Value.REQUIRED),
     OPAQUE_SHADOWS("--opaque-shadows", Value.NONE),

@@ -10,6 +10,8 @@ import raytracing.color.Color;
 import raytracing.film.Comparison;
 import raytracing.parse.Printable;
 import raytracing.render.Drawing;
+import raytracing.render.ErrorLimit;
+import raytracing.render.ErrorTally;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
@@ -41,6 +43,9 @@ final class Statistics {
     Statistics(String sceneFile, Scene scene, RenderSettings settings, Renderer renderer, Drawing drawing, Times times) {
         addScene(sceneFile, scene, renderer.ambientLight());
         addPicture(settings, drawing);
+        if (settings.sampling() instanceof ErrorLimit limit) {
+            addErrors(limit, drawing.errors());
+        }
         addRays(drawing.counts(), renderer.ambientLight().pathCount());
         addTimes(renderer, drawing, times);
         addMemory();
@@ -127,6 +132,24 @@ final class Statistics {
         addCount("threads", settings.threads());
         addShare("share drawn", drawing.progress().finished(), region.pixelCount());
         addShare("share of pixels smoothed", drawing.progress().refined(), region.pixelCount());
+    }
+
+    /** How many rays the pixels got under an error limit, and the errors that are left, in steps of 1/255. */
+    private void addErrors(ErrorLimit limit, ErrorTally errors) {
+        begin("error");
+        addSteps("limit", limit.steps());
+        addSteps("estimate", errors.error());
+        addSteps("largest estimate", errors.largest());
+        for (int level = 0; level < ErrorTally.levels(); level++) {
+            int rays = ErrorTally.rays(level);
+            addCount("pixels with " + rays + (rays == 1 ? " ray" : " rays"), errors.pixelsAt(level));
+        }
+        addCount("pixels whose rays ran out", errors.unfinished());
+        addSteps("largest estimate of those", errors.largestUnfinished());
+    }
+
+    private void addSteps(String name, double steps) {
+        add(name, String.format(Locale.ROOT, "%.2f", steps), String.valueOf(steps));
     }
 
     private void addRays(RayCounts counts, long ambientPaths) {

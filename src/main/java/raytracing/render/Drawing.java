@@ -23,6 +23,7 @@ public final class Drawing implements Bands {
     private final Cancellation.Leftovers leftovers;
     private final DrawingListener listener;
     private final Progress progress;
+    private final ErrorTally errors = new ErrorTally();
     private RayCounts counts = RayCounts.NONE;
     private long nanoseconds;
     private boolean isPartial;
@@ -86,7 +87,7 @@ public final class Drawing implements Bands {
         cancellation.beginDrawing();
         try {
             for (int edge : listener.coarseLooks()) {
-                pass(part, edge, CoarseLook.of(part, edge, listener));
+                pass(new TileQueue(part, edge), CoarseLook.of(part, edge, listener));
             }
             return draw(part);
         } finally {
@@ -98,27 +99,41 @@ public final class Drawing implements Bands {
     }
 
     private Film draw(Region part) {
-        PixelSampling sampling = settings.sampling();
-        if (sampling.root() == 1) {
-            OneRayEach painter = OneRayEach.of(part, progress, listener);
-            return finish(part, painter.film(), painter);
+        if (settings.sampling() instanceof PixelGrid grid) {
+            return draw(grid, part);
         }
-        if (sampling.where() == PixelSampling.Where.EVERYWHERE) {
-            return smooth(part, new Film(part.width(), part.height()), Optional.empty());
+        return drawToLimit(part);
+    }
+
+    private Film draw(PixelGrid grid, Region part) {
+        if (grid.root() == 1) {
+            OneRayEach painter = OneRayEach.of(part, progress, listener);
+            return finish(part, painter.film(), new TileQueue(part, settings.tileSize()), painter);
+        }
+        if (grid.where() == PixelGrid.Where.EVERYWHERE) {
+            return smooth(grid, part, new Film(part.width(), part.height()), Optional.empty());
         }
         Region filmed = part.withNeighbours(settings.width(), settings.height());
         OneRayEach first = OneRayEach.findingEdges(part, filmed, progress, listener);
-        pass(filmed, settings.tileSize(), first);
-        return smooth(part, first.filmOfPart(), Optional.of(first));
+        pass(new TileQueue(filmed, settings.tileSize()), first);
+        return smooth(grid, part, first.filmOfPart(), Optional.of(first));
     }
 
-    private Film smooth(Region part, Film film, Optional<OneRayEach> first) {
-        return finish(part, film, new SmoothEdges(part, film, first, progress, listener));
+    private Film smooth(PixelGrid grid, Region part, Film film, Optional<OneRayEach> first) {
+        return finish(part, film, new TileQueue(part, settings.tileSize()),
+            new SmoothEdges(grid, part, film, first, progress, listener));
+    }
+
+    private Film drawToLimit(Region part) {
+        FirstRays first = new FirstRays(part, progress, listener);
+        pass(new TileQueue(first.filmed(), settings.tileSize()), first);
+        TileQueue blocks = new TileQueue(part, settings.tileSize(), 0, 0);       // outlines are found in blocks of the picture
+        return finish(part, first.film(), blocks, new ErrorRefinement(part, first, errors, progress, listener));
     }
 
     /** The last pass over a part; returns the film, if there is to be one, with gaps in place of the unfinished tiles. */
-    private Film finish(Region part, Film film, PixelPainter painter) {
-        List<Region> unfinished = pass(part, settings.tileSize(), painter);
+    private Film finish(Region part, Film film, TileQueue tiles, PixelPainter painter) {
+        List<Region> unfinished = pass(tiles, painter);
         if (!unfinished.isEmpty()) {
             cancellation.confirmEnd();
             if (leftovers == Cancellation.Leftovers.DISCARD || progress.finished() == 0) {
@@ -134,9 +149,8 @@ public final class Drawing implements Bands {
         return film;
     }
 
-    /** One pass over a part; returns the tiles that are not finished because the drawing was cancelled. */
-    private List<Region> pass(Region part, int tileSize, PixelPainter painter) {
-        TileQueue tiles = new TileQueue(part, tileSize);
+    /** One pass over tiles; returns those that are not finished because the drawing was cancelled. */
+    private List<Region> pass(TileQueue tiles, PixelPainter painter) {
         counts = counts.plus(new TilePass(tiles, painter, cancellation).run(renderer));
         return tiles.unfinished();
     }
@@ -163,6 +177,11 @@ public final class Drawing implements Bands {
     /** What the finished tiles of the bands took, the same for every number of threads; for the thread that draws them. */
     public RayCounts counts() {
         return counts;
+    }
+
+    /** What pixels got under an error limit, and their errors, of the finished tiles; for the thread that draws them. */
+    public ErrorTally errors() {
+        return errors;
     }
 
     /** How long the bands took to draw, wall time; for the thread that draws them. */

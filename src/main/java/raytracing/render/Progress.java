@@ -10,15 +10,31 @@ public final class Progress {
     /** Share of pixels on edges before any is known: between those of our scenes. */
     private static final double TYPICAL_SHARE_OF_EDGES = 0.15;
 
+    /** Further rays for each pixel under an error limit, before any is known. */
+    private static final double TYPICAL_UNDER_A_LIMIT = 5;
+
     private final long pixels;
-    private final PixelSampling sampling;
+    private final boolean areFirstRaysFinal;
+    private final boolean hasFirstRays;
+    private final double typicalRays;
     private final AtomicLong firstRays = new AtomicLong();
     private final AtomicLong smoothed = new AtomicLong();
     private final AtomicLong refined = new AtomicLong();
+    private final AtomicLong furtherRays = new AtomicLong();
 
     Progress(long pixels, PixelSampling sampling) {
         this.pixels = pixels;
-        this.sampling = sampling;
+        if (sampling instanceof PixelGrid grid) {
+            double rays = grid.root() * grid.root();
+            boolean isEverywhere = grid.where() == PixelGrid.Where.EVERYWHERE;
+            areFirstRaysFinal = grid.root() == 1;
+            hasFirstRays = !isEverywhere || areFirstRaysFinal;
+            typicalRays = areFirstRaysFinal ? 0 : isEverywhere ? rays : TYPICAL_SHARE_OF_EDGES * rays;
+        } else {
+            areFirstRaysFinal = false;
+            hasFirstRays = true;
+            typicalRays = TYPICAL_UNDER_A_LIMIT;
+        }
     }
 
     /** Adds pixels that had their one ray. */
@@ -26,31 +42,28 @@ public final class Progress {
         firstRays.addAndGet(count);
     }
 
-    /** Adds pixels of which it is known whether they are on an edge; those that are got their N x N rays. */
-    void addSmoothed(long count, long refinedCount) {
+    /** Adds pixels that are final, after those of them that needed more rays had theirs. */
+    void addSmoothed(long count, long refinedCount, long rays) {
         smoothed.addAndGet(count);
         refined.addAndGet(refinedCount);
+        furtherRays.addAndGet(rays);
     }
 
     /** Pixels of the bands so far whose light is final. */
     public long finished() {
-        return sampling.root() == 1 ? firstRays.get() : smoothed.get();
+        return areFirstRaysFinal ? firstRays.get() : smoothed.get();
     }
 
-    /** Pixels of the bands so far that got N x N rays, where N is above 1. */
+    /** Pixels of the bands so far that got more rays than their first. */
     public long refined() {
         return refined.get();
     }
 
     /** Share of the rays that were sent, from 0 to 1; exactly 1 at the end. */
     public double share() {
-        if (sampling.root() == 1) {
-            return (double) firstRays.get() / pixels;
-        }
-        double rays = sampling.root() * sampling.root();
-        double edges = smoothed.get() == 0 ? TYPICAL_SHARE_OF_EDGES * pixels
-            : refined.get() * ((double) pixels / smoothed.get());      // in this order, exact at the end
-        double expected = sampling.where() == PixelSampling.Where.EVERYWHERE ? rays * pixels : pixels + rays * edges;
-        return Math.min(1, (firstRays.get() + rays * refined.get()) / expected);
+        double further = smoothed.get() == 0 ? typicalRays * pixels
+            : furtherRays.get() * ((double) pixels / smoothed.get());      // in this order, exact at the end
+        double expected = (hasFirstRays ? pixels : 0) + further;
+        return Math.min(1, (firstRays.get() + furtherRays.get()) / expected);
     }
 }

@@ -29,7 +29,7 @@ public record RenderSettings(int width, int height, long seed, ShadowMode shadow
 
     /** What is drawn when the user names a scene and nothing else. */
     public static final RenderSettings DEFAULT = new RenderSettings(DEFAULT_SIZE, DEFAULT_SIZE, DEFAULT_SEED,
-        ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, ShadowMethod.OF_THE_SCENE, PixelSampling.ONE_RAY,
+        ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT, ShadowMethod.OF_THE_SCENE, PixelGrid.ONE_RAY,
         Region.whole(DEFAULT_SIZE, DEFAULT_SIZE), Runtime.getRuntime().availableProcessors(), DEFAULT_TILE_SIZE);
 
     /** The same for another size, all of the picture. */

@@ -8,18 +8,19 @@ import raytracing.film.Film;
  *
  * @param film of the part, with what the first pass saw of it
  */
-record SmoothEdges(Region part, Film film, Optional<OneRayEach> first, Progress progress, DrawingListener listener)
+record SmoothEdges(PixelGrid grid, Region part, Film film, Optional<OneRayEach> first, Progress progress, DrawingListener listener)
     implements PixelPainter {
     @Override
     public void paint(int x, int y, PixelLight light) {
         if (first.isEmpty() || first.get().isEdge(x, y)) {
-            light.exposeRefined(x, y, film, x - part.left(), y - part.top());
+            light.exposeRefined(grid, x, y, film, x - part.left(), y - part.top());
         }
     }
 
     @Override
     public void finished(Region tile, PixelLight light) {
-        progress.addSmoothed(tile.pixelCount(), light.refinedPixels());
+        progress.addSmoothed(tile.pixelCount(), light.refinedPixels(),
+            light.refinedPixels() * grid.root() * grid.root());
         listener.showTile(tile, film, part);
     }
 }

@@ -18,17 +18,27 @@ final class TileQueue {
 
     private final Region part;
     private final int tileSize;
+    private final int firstLeft;
+    private final int firstTop;
     private final int columns;
     private final int count;
     private final int stride;
     private final AtomicLong dealt = new AtomicLong();
     private final BitSet finished;
 
+    /** With the first tile in the part's upper left corner. */
     TileQueue(Region part, int tileSize) {
+        this(part, tileSize, part.left(), part.top());
+    }
+
+    /** With tiles of a grid, one of whose corners is given; those at the part's border are cut off by it. */
+    TileQueue(Region part, int tileSize, int gridX, int gridY) {
         this.part = part;
         this.tileSize = tileSize;
-        columns = tilesIn(part.width());
-        count = Math.multiplyExact(columns, tilesIn(part.height()));
+        firstLeft = part.left() - Math.floorMod(part.left() - gridX, tileSize);
+        firstTop = part.top() - Math.floorMod(part.top() - gridY, tileSize);
+        columns = tilesIn(part.right() - firstLeft);
+        count = Math.multiplyExact(columns, tilesIn(part.bottom() - firstTop));
         stride = strideFrom(Math.max(1, (int) Math.round(GOLDEN_SECTION * count)));
         finished = new BitSet(count);
     }
@@ -53,10 +63,10 @@ final class TileQueue {
     }
 
     private Region tile(int number) {
-        int left = part.left() + number % columns * tileSize;
-        int top = part.top() + number / columns * tileSize;
-        return new Region(left, top, (int) Math.min(part.right(), (long) left + tileSize),
-            (int) Math.min(part.bottom(), (long) top + tileSize));
+        int left = firstLeft + number % columns * tileSize;
+        int top = firstTop + number / columns * tileSize;
+        return new Region(Math.max(part.left(), left), Math.max(part.top(), top),
+            (int) Math.min(part.right(), (long) left + tileSize), (int) Math.min(part.bottom(), (long) top + tileSize));
     }
 
     /** Deals no more tiles. */
@@ -66,7 +76,7 @@ final class TileQueue {
 
     /** Marks a tile whose pixels are all final. */
     synchronized void finish(Region tile) {
-        finished.set((tile.top() - part.top()) / tileSize * columns + (tile.left() - part.left()) / tileSize);
+        finished.set((tile.top() - firstTop) / tileSize * columns + (tile.left() - firstLeft) / tileSize);
     }
 
     /** The tiles that are not finished yet; the caller sees all pixels of the others (happens-before). */

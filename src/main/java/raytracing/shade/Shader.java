@@ -69,6 +69,15 @@ public final class Shader {
     private static final long NO_RAY = 0;
     private static final int END_OF_RAY = -1;
 
+    /** Stands for the share of a wide light that is seen in part, in the hash of shadows. */
+    private static final double IN_PART = 0.5;
+
+    /** A highlight with a larger exponent is sharp: it may have an edge inside a pixel. */
+    private static final double SHARPEST_WIDE = 50;
+
+    /** The square of an angle times the exponent of a highlight that has fallen to 1/512 there: 2 ln 512. */
+    private static final double VISIBLE_TURN = 20;
+
     private final Material[] materials;
     private final Light[] lights;
     private final double[] lightErrors;
@@ -92,6 +101,10 @@ public final class Shader {
     private final MutableColor mirroredWeight = new MutableColor();
     private int surfacesMet;
     private long fingerprint;
+    private long directFingerprint;
+    private long shadowFingerprint;
+    private boolean isMirrorSeen;
+    private double highlightMargin;
     private long eyeRayCount;
     private long mirroredRayCount;
     private long leftOutCount;
@@ -142,6 +155,10 @@ public final class Shader {
     public MutableColor light(CameraRays rays, double x, double y, long key) {
         pixel.clear();
         fingerprint = NO_RAY;
+        directFingerprint = NO_RAY;
+        shadowFingerprint = NO_RAY;
+        isMirrorSeen = false;
+        highlightMargin = Double.POSITIVE_INFINITY;
         if (rays.start(x, y, query.ray())) {
             query.begin();
             followAll(key);
@@ -165,6 +182,29 @@ public final class Shader {
         return fingerprint;
     }
 
+    /** The same hash of the surfaces that the ray itself met, without the mirrored rays. */
+    public long directFingerprint() {
+        return directFingerprint;
+    }
+
+    /** A hash of which lights reached the points that the last rays met: wholly, not at all, or in part. */
+    public long shadowFingerprint() {
+        return shadowFingerprint;
+    }
+
+    /** Whether the last ray led to mirrored rays. */
+    public boolean isMirrorSeen() {
+        return isMirrorSeen;
+    }
+
+    /**
+     * How far the mirrored directions at all points that the last rays met must turn, in radians, until a sharp highlight
+     * becomes visible or, below 0, until none is. It is infinite where no surface has one.
+     */
+    public double highlightMargin() {
+        return highlightMargin;
+    }
+
     /** Forgets earlier rays, on which the number of shadow rays may depend, but never the light. */
     public void forgetPast() {
         shadows.forgetPast();
@@ -186,6 +226,8 @@ public final class Shader {
         weight.set(1, 1, 1);
         follow(0, key);
         addToFingerprint(END_OF_RAY);
+        directFingerprint = fingerprint;
+        isMirrorSeen = !mirroredRays.isEmpty();
         while (surfacesMet < mostSurfaces && !mirroredRays.isEmpty()) {
             mirroredRayCount++;
             MirroredRay next = mirroredRays.remove();
@@ -287,11 +329,17 @@ public final class Shader {
             if (!isMatte) {
                 double cosine = mirrored.dot(x, y, z) / distance;
                 highlight = Phong.highlight(light.specularIntensity(), cosine, material.phongExponent());
+                if (material.phongExponent() > SHARPEST_WIDE) {
+                    double turn = Math.sqrt(Math.max(0, 2 - 2 * cosine));
+                    highlightMargin = Math.min(highlightMargin, turn - Math.sqrt(VISIBLE_TURN / material.phongExponent()));
+                }
             }
             if (highlight > 0 || !diffuse.isBlack()) {
                 double share = shadows.arrivingShare(hit, light, i, lightErrors[i], CounterRandom.bits(hitKey, i));
                 surfaceLight.add(share * (height / distance), diffuse, light.color());
                 surfaceLight.add(share * highlight, specular, light.color());
+                double state = share == 1 || share == 1 - light.shadowIntensity() || shadows.isHard(light) ? share : IN_PART;
+                shadowFingerprint = FINGERPRINT_FACTOR * shadowFingerprint + Double.doubleToRawLongBits(state);
             }
         }
     }

@@ -66,6 +66,11 @@ public abstract class SoftShadows {
         return lines[number].transmittance(hit, middle.x(), middle.y(), middle.z(), error);
     }
 
+    /** Whether a light's shadows have hard edges: it is a point, or one line leads to its middle. */
+    public final boolean isHard(Light light) {
+        return light.width() == 0 || !needsShaft();
+    }
+
     /** Whether a light with a width is more than its middle, to which one line leads. */
     boolean needsShaft() {
         return true;

@@ -2,6 +2,7 @@ package raytracing.report;
 
 import java.util.List;
 import java.util.Optional;
+import raytracing.render.PixelGrid;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
 import raytracing.shadow.ShadowMethod;
@@ -21,33 +22,33 @@ record Setting(Series series, int number, ShadowMethod shadows, PixelSampling sa
 
     /** The exercise's N x N shadow rays. */
     static Setting sampled(int root) {
-        return new Setting(Series.SAMPLED, root, ShadowMethod.Sampled.withRoot(root), PixelSampling.ONE_RAY,
+        return new Setting(Series.SAMPLED, root, ShadowMethod.Sampled.withRoot(root), PixelGrid.ONE_RAY,
             Optional.of(List.of("--shadows", "sampled", "--shadow-rays", String.valueOf(root))));
     }
 
     /** What sampled shadows come to as N grows. */
     static Setting exact() {
-        return new Setting(Series.EXACT, 1, new ShadowMethod.Exact(), PixelSampling.ONE_RAY,
+        return new Setting(Series.EXACT, 1, new ShadowMethod.Exact(), PixelGrid.ONE_RAY,
             Optional.of(EXACT_SHADOWS));
     }
 
     /** The same picture as {@link #exact}, where it is judged by its edges. */
     static Setting oneRay() {
-        return new Setting(Series.ONE_RAY, 1, new ShadowMethod.Exact(), PixelSampling.ONE_RAY,
+        return new Setting(Series.ONE_RAY, 1, new ShadowMethod.Exact(), PixelGrid.ONE_RAY,
             Optional.of(EXACT_SHADOWS));
     }
 
     /** More rays for the pixels at edges, with exact shadows. */
     static Setting atEdges(int root) {
         return new Setting(Series.AT_EDGES, root, new ShadowMethod.Exact(),
-            new PixelSampling(root, PixelSampling.Where.EDGES),
+            new PixelGrid(root, PixelGrid.Where.EDGES),
             Optional.of(List.of("--shadows", "exact", "--samples", String.valueOf(root))));
     }
 
     /** More rays for all pixels, with exact shadows. */
     static Setting everywhere(int root) {
         return new Setting(Series.EVERYWHERE, root, new ShadowMethod.Exact(),
-            new PixelSampling(root, PixelSampling.Where.EVERYWHERE), Optional.empty());
+            new PixelGrid(root, PixelGrid.Where.EVERYWHERE), Optional.empty());
     }
 
     String title() {

@@ -5,7 +5,7 @@ import java.util.SplittableRandom;
 import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.render.PixelSampling;
+import raytracing.render.PixelGrid;
 import raytracing.render.RenderSettings;
 import raytracing.scene.Scene;
 import raytracing.shadow.ShadowMethod;
@@ -59,6 +59,6 @@ record NastyScene(long seed, String text, boolean isHall, int surfaces) {
             settings = settings.withShadowMethod(new ShadowMethod.Exact());
         }
         return isHall || random.nextInt(4) != 0 ? settings
-            : settings.withSampling(new PixelSampling(2 + random.nextInt(2), PixelSampling.Where.EDGES));
+            : settings.withSampling(new PixelGrid(2 + random.nextInt(2), PixelGrid.Where.EDGES));
     }
 }

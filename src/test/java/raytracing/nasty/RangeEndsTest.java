@@ -20,7 +20,7 @@ import raytracing.film.Film;
 import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
-import raytracing.render.PixelSampling;
+import raytracing.render.PixelGrid;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderers;
@@ -42,8 +42,8 @@ class RangeEndsTest {
         ODD,
         EVEN,
         ODD.withShadowMethod(new ShadowMethod.Exact()),
-        EVEN.withSampling(new PixelSampling(3, PixelSampling.Where.EDGES)),
-        ODD.withSampling(new PixelSampling(2, PixelSampling.Where.EVERYWHERE))
+        EVEN.withSampling(new PixelGrid(3, PixelGrid.Where.EDGES)),
+        ODD.withSampling(new PixelGrid(2, PixelGrid.Where.EVERYWHERE))
             .withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT),
         ODD.withRegion(new Region(2, 2, 3, 3)),
         ODD.withSize(1, 6));

@@ -20,7 +20,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.film.ImageFormat;
 import raytracing.parse.RayTracerException;
-import raytracing.render.PixelSampling;
+import raytracing.render.ErrorLimit;
+import raytracing.render.PixelGrid;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.shadow.ShadowMethod;
@@ -71,7 +72,7 @@ class CommandLineTest {
         RenderSettings settings = draw(line).settings();
         assertEquals(RenderSettings.DEFAULT.withSize(30, 20).withSeed(5)
             .withShadowMode(ShadowMode.ALL_SURFACES_STOP_LIGHT)
-            .withSampling(new PixelSampling(4, PixelSampling.Where.EDGES))
+            .withSampling(new PixelGrid(4, PixelGrid.Where.EDGES))
             .withWorkers(3, RenderSettings.DEFAULT_TILE_SIZE), settings);
     }
 
@@ -91,6 +92,49 @@ class CommandLineTest {
         assertEquals(ShadowMethod.OF_THE_SCENE, draw("s.txt o.png --shadows sampled").settings().shadowMethod());
         assertEquals(ShadowMethod.Sampled.withRoot(7), draw("s.txt o.png --shadow-rays 7").settings().shadowMethod());
         assertEquals(new ShadowMethod.Exact(), draw("s.txt o.png --shadows=exact").settings().shadowMethod());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0.25", "1", "0.5", ".75", "64", "64.0"})
+    void anErrorLimitIsANumberOfSteps(String steps) throws RayTracerException {
+        assertEquals(new ErrorLimit(Double.parseDouble(steps)), draw("s.txt o.png --error " + steps).settings().sampling());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "0.2", "64.1", "-1", "NaN", "1e0", "0x1", "1d", "one", "", "1.", "1,5", "99999999999"})
+    void anyOtherErrorLimitIsRefused(String steps) {
+        RayTracerException wrong = assertThrows(RayTracerException.class,
+            () -> CommandLine.parse("s.txt", "o.png", "--error=" + steps));
+        assertEquals("--error: must be a number of steps of 1/255 from 0.25 to 64, such as 1 or 0.5, got " + steps,
+            wrong.getMessage());
+    }
+
+    @Test
+    void underAnErrorLimitShadowsAreExactUnlessTheUserSaysOtherwise() throws RayTracerException {
+        assertEquals(new ShadowMethod.Exact(), draw("s.txt o.png --error 1").settings().shadowMethod());
+        assertEquals(ShadowMethod.OF_THE_SCENE,
+            draw("s.txt o.png --shadows sampled --error 1").settings().shadowMethod());
+        assertEquals(ShadowMethod.Sampled.withRoot(7),
+            draw("s.txt o.png --error 1 --shadows sampled --shadow-rays 7").settings().shadowMethod());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        --error 1 --samples 4     | --error: finds out how many rays each pixel needs, so it cannot be combined with --samples
+        --samples 1 --error 2     | --error: finds out how many rays each pixel needs, so it cannot be combined with --samples
+        """)
+    void anErrorLimitIsRefusedBesideWhatItDecides(String options, String sentence) {
+        RayTracerException wrong =
+            assertThrows(RayTracerException.class, () -> draw("s.txt o.png " + options));
+        assertEquals(sentence, wrong.getMessage());
+    }
+
+    @Test
+    void shadowRaysNeedSampledShadowsUnderAnErrorLimit() {
+        RayTracerException wrong =
+            assertThrows(RayTracerException.class, () -> draw("s.txt o.png --error 1 --shadow-rays 3"));
+        assertEquals("--shadow-rays: exact shadows need none, so it cannot be combined with --error, unless with "
+            + "--shadows sampled", wrong.getMessage());
     }
 
     @Test

@@ -1,6 +1,8 @@
 package raytracing.program;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -10,7 +12,8 @@ import raytracing.film.Film;
 import raytracing.render.Cancellation;
 import raytracing.render.Drawing;
 import raytracing.render.DrawingListener;
-import raytracing.render.PixelSampling;
+import raytracing.render.ErrorLimit;
+import raytracing.render.PixelGrid;
 import raytracing.render.Region;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
@@ -68,8 +71,27 @@ class StatisticsTest {
     @Test
     void withSmoothEdgesAPixelIsDrawnAfterTheSecondPass() {
         JsonObject statistics =
-            stoppedAt(TILES + 3, SETTINGS.withSampling(new PixelSampling(2, PixelSampling.Where.EDGES)));
+            stoppedAt(TILES + 3, SETTINGS.withSampling(new PixelGrid(2, PixelGrid.Where.EDGES)));
         assertEquals(3.0 / TILES, statistics.getAsJsonObject("picture").get("share_drawn").getAsDouble());
+    }
+
+    @Test
+    void underAnErrorLimitPixelsAreCountedByTheirRays() {
+        JsonObject error = statistics(SETTINGS.withSampling(new ErrorLimit(2))).getAsJsonObject("error");
+        assertEquals(2, error.get("limit").getAsDouble());
+        long pixels = error.get("pixels_with_1_ray").getAsLong();
+        for (int rays = 4; rays <= 4096; rays *= 2) {
+            pixels += error.get("pixels_with_" + rays + "_rays").getAsLong();
+        }
+        assertEquals(32 * 24, pixels);
+        double estimate = error.get("estimate").getAsDouble();
+        assertTrue(estimate > 0 && estimate <= error.get("largest_estimate").getAsDouble(), error.toString());
+        assertTrue(error.get("largest_estimate").getAsDouble() <= 2, error.toString());
+    }
+
+    @Test
+    void withoutAnErrorLimitNoErrorIsClaimed() {
+        assertFalse(statistics(SETTINGS).has("error"));
     }
 
     /** The lamp is beside the eye: the mirror faces it everywhere, and has no colour of its own. */

@@ -29,7 +29,7 @@ class DrawingTest {
 
     private static RenderSettings settings(int root) {
         return RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withWorkers(2, 8)
-            .withSampling(new PixelSampling(root, PixelSampling.Where.EDGES));
+            .withSampling(new PixelGrid(root, PixelGrid.Where.EDGES));
     }
 
     private static Drawing drawing(RenderSettings settings, int bandHeight, Cancellation cancellation,

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.SceneText;
 import raytracing.render.Cancellation.Leftovers;
-import raytracing.render.PixelSampling.Where;
+import raytracing.render.PixelGrid.Where;
 import raytracing.scene.Scene;
 import raytracing.shade.RayCounts;
 import raytracing.shadow.ShadowMethod;
@@ -65,8 +65,8 @@ class SameCountsTest {
         return Stream.of(
             new Picture("balls one by one", crowd(40), settings),
             new Picture("a hierarchy of balls", crowd(150), settings),
-            new Picture("smooth edges", crowd(150), settings.withSampling(new PixelSampling(2, Where.EDGES))),
-            new Picture("many rays everywhere", crowd(150), settings.withSampling(new PixelSampling(2, Where.EVERYWHERE))),
+            new Picture("smooth edges", crowd(150), settings.withSampling(new PixelGrid(2, Where.EDGES))),
+            new Picture("many rays everywhere", crowd(150), settings.withSampling(new PixelGrid(2, Where.EVERYWHERE))),
             new Picture("exact shadows", crowd(150), settings.withShadowMethod(new ShadowMethod.Exact())),
             new Picture("many shadow rays", crowd(150), settings.withShadowMethod(ShadowMethod.Sampled.withRoot(5))),
             new Picture("hard shadows", crowd(150), settings.withShadowMethod(ShadowMethod.Sampled.withRoot(1))));

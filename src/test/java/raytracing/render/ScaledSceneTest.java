@@ -50,7 +50,7 @@ class ScaledSceneTest {
     @MethodSource("scenesAndScales")
     void theSamePixelsAreRefinedInTheSameWay(Path file, double scale) throws Exception {
         RenderSettings smooth = SMALL.withSize(40, 40)
-            .withSampling(new PixelSampling(2, PixelSampling.Where.EDGES));
+            .withSampling(new PixelGrid(2, PixelGrid.Where.EDGES));
         Scene scene = Steps.parseScene(file);
         RendererTest.assertSamePixels(Renderers.film(scene, smooth),
             Renderers.film(scaled(scene, scale), smooth));

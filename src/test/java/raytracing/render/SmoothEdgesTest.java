@@ -14,7 +14,7 @@ import raytracing.SceneText;
 import raytracing.Steps;
 import raytracing.color.Color;
 import raytracing.film.Film;
-import raytracing.render.PixelSampling.Where;
+import raytracing.render.PixelGrid.Where;
 import raytracing.scene.Scene;
 
 /**
@@ -28,7 +28,7 @@ class SmoothEdgesTest {
     private static final double ROUNDING = 1e-12;
 
     private static RenderSettings settings(int size, int root, Where where) {
-        return RenderSettings.DEFAULT.withSize(size, size).withSampling(new PixelSampling(root, where));
+        return RenderSettings.DEFAULT.withSize(size, size).withSampling(new PixelGrid(root, where));
     }
 
     private static Rendering smooth(Scene scene, int size, int root) {
@@ -174,7 +174,7 @@ class SmoothEdgesTest {
         Renderer renderer = Renderers.of(scene, RenderSettings.DEFAULT.withSize(size, size));
         PixelLight light = new PixelLight(renderer);
         Region whole = Region.whole(size, size);
-        OneRayEach seen = OneRayEach.findingEdges(whole, whole, new Progress(whole.pixelCount(), PixelSampling.ONE_RAY),
+        OneRayEach seen = OneRayEach.findingEdges(whole, whole, new Progress(whole.pixelCount(), PixelGrid.ONE_RAY),
             DrawingListener.NONE);
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++) {

@@ -9,36 +9,36 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.area.ConvexPolygons;
-import raytracing.render.PixelSampling.Where;
+import raytracing.render.PixelGrid.Where;
 
 /** Places in the pixel, counted in units of 1 / (2 N^2), where all of them are odd whole numbers. */
-class PixelSamplingTest {
+class PixelGridTest {
     private static final int EDGES = 20_000;
 
     private static final double ROUNDING = 1e-9;
 
-    private static int unitsX(PixelSampling sampling, int i, int j) {
+    private static int unitsX(PixelGrid sampling, int i, int j) {
         return units(sampling, sampling.placeX(i, j));
     }
 
-    private static int unitsY(PixelSampling sampling, int i, int j) {
+    private static int unitsY(PixelGrid sampling, int i, int j) {
         return units(sampling, sampling.placeY(i, j));
     }
 
-    private static int units(PixelSampling sampling, double place) {
+    private static int units(PixelGrid sampling, double place) {
         double units = 2 * sampling.root() * sampling.root() * place;
         assertEquals(Math.rint(units), units, ROUNDING);
         return (int) Math.rint(units);
     }
 
-    private static PixelSampling sampling(int root) {
-        return new PixelSampling(root, Where.EDGES);
+    private static PixelGrid sampling(int root) {
+        return new PixelGrid(root, Where.EDGES);
     }
 
     @Test
     void oneRayGoesThroughTheCentre() {
-        assertEquals(0.5, PixelSampling.ONE_RAY.placeX(0, 0));
-        assertEquals(0.5, PixelSampling.ONE_RAY.placeY(0, 0));
+        assertEquals(0.5, PixelGrid.ONE_RAY.placeX(0, 0));
+        assertEquals(0.5, PixelGrid.ONE_RAY.placeY(0, 0));
     }
 
     @ParameterizedTest
@@ -109,7 +109,7 @@ class PixelSamplingTest {
     }
 
     private static Places ours(int root) {
-        PixelSampling sampling = new PixelSampling(root, PixelSampling.Where.EVERYWHERE);
+        PixelGrid sampling = new PixelGrid(root, PixelGrid.Where.EVERYWHERE);
         return new Places() {
             @Override
             public double x(int i, int j) {
