@@ -7,8 +7,11 @@ import java.util.Locale;
 import java.util.Map;
 import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
+import raytracing.estimate.AmbientEstimate;
 import raytracing.estimate.AmbientPart;
 import raytracing.estimate.AmbientScenes;
+import raytracing.parallel.ForkJoin;
+import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
@@ -19,6 +22,10 @@ import raytracing.scene.Scene;
 final class AmbientErrors {
     /** No pixel looks along an edge of a room, where the truth has two values. */
     private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(47, 40);
+
+    /** The light is that of a picture of this size, drawn small: small pictures have less light of their own. */
+    private static final RenderSettings LARGE = RenderSettings.DEFAULT.withSize(470, 400);
+    private static final double[] MOST_ERRORS = {Double.POSITIVE_INFINITY, 4, 2, 1};
     private static final int ALL_BOUNCES = 1000;
     private static final double STEPS = 255;
     private static final double NANOSECONDS_IN_MILLISECOND = 1e6;
@@ -59,7 +66,7 @@ final class AmbientErrors {
     private static List<String> pictureRow(String title, Scene scene, Effort effort) {
         AmbientPart truth = truth(scene, 1, ALL_BOUNCES, rootForPictures(effort));
         AmbientPart sameTruth = truth(scene, 2, ALL_BOUNCES, rootForPictures(effort));
-        Renderer renderer = Renderers.of(scene, SMALL);
+        Renderer renderer = Renderers.inAmbientLight(Renderers.of(scene, SMALL), Renderers.of(scene, LARGE).ambientLight());
         AmbientLight even = AmbientLight.even(renderer.ambientLight().mean());
         System.out.println("Ambient light of " + title);
         Renderer large = Renderers.of(scene, RenderSettings.DEFAULT);
@@ -89,6 +96,40 @@ final class AmbientErrors {
                 quantiles.upper()));
         }
         return cells;
+    }
+
+    /** What is left of the error for each that is asked for, and what the estimate says of it. */
+    static String refinement(Effort effort) throws IOException, RayTracerException {
+        List<List<String>> rows = new ArrayList<>();
+        for (Map.Entry<String, Scene> room : AmbientRoom.scenes().entrySet()) {
+            Scene scene = room.getValue();
+            AmbientPart truth = truth(scene, 1, ALL_BOUNCES, rootForPictures(effort));
+            AmbientPart sameTruth = truth(scene, 2, ALL_BOUNCES, rootForPictures(effort));
+            Renderer renderer = Renderers.of(scene, SMALL);
+            AmbientPart without = AmbientPart.drawnWithout(renderer);
+            for (double mostError : MOST_ERRORS) {
+                AmbientLight light = light(scene, renderer, mostError, 1);
+                AmbientPart part = AmbientPart.drawn(renderer, light);
+                AmbientPart again = AmbientPart.drawn(renderer, light(scene, renderer, mostError, 2));
+                double error = part.shownOver(without).errorAgainst(truth.shownOver(without), sameTruth.shownOver(without));
+                rows.add(List.of(room.getKey(), mostError == MOST_ERRORS[0] ? "none" : String.valueOf((int) mostError),
+                    steps(part.errorAgainst(truth, sameTruth)), steps(error),
+                    String.format(Locale.ROOT, "%.1f", light.error()), steps(part.errorAgainst(again, again)),
+                    String.valueOf(light.recordCount()), String.valueOf(light.pathCount())));
+            }
+            System.out.println("Refined " + room.getKey());
+        }
+        return """
+            Root mean square errors in steps of 1/255. *Shown* is cut to what 8-bit channels show; *estimated* is what the
+            program says of it. The next is the difference between the pictures of two seeds.
+
+            """ + MarkdownTable.of(List.of("scene", "error asked for", "error", "error, shown", "estimated", "seed to seed",
+            "places", "paths"), rows);
+    }
+
+    private static AmbientLight light(Scene scene, Renderer renderer, double mostError, long seed) {
+        return AmbientEstimate.of(scene, renderer.surfaces(), LARGE.width(), LARGE.height(), seed, mostError,
+            new ForkJoin(LARGE.threads(), new Preparation()));
     }
 
     private static double milliseconds(Runnable work) {

@@ -25,6 +25,7 @@ public final class AmbientReport {
         try {
             String origin = Machine.origin("gradle ambient" + (isQuick ? " -Pquick" : "")) + " " + AmbientRoom.missing();
             MeasuredPart.replace(DOCUMENT, origin + "\n### Pictures\n\n" + AmbientErrors.pictures(effort)
+                + "\n### Refinement\n\n" + AmbientErrors.refinement(effort)
                 + "\n### Errors\n\n" + AmbientErrors.section(effort)
                 + "\n### Times\n\n" + AmbientTimes.section(effort, folder));
         } finally {

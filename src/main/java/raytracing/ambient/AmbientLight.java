@@ -12,8 +12,10 @@ import raytracing.color.Color;
  * @param mean the one colour that is nearest to the light in all that the camera sees of surfaces with an ambient colour; it
  *        is also used where no record counts
  * @param records empty if the light is the mean everywhere
+ * @param error about how far the picture is from one in the true light: the root of the mean square, in steps of 1/255 of what
+ *        8-bit channels show; 0 if the light was not estimated
  */
-public record AmbientLight(Color mean, Optional<Records> records) {
+public record AmbientLight(Color mean, Optional<Records> records, double error) {
     /** No ambient light, for scenes without ambient colours. */
     public static final AmbientLight NONE = even(Color.BLACK);
 
@@ -34,7 +36,7 @@ public record AmbientLight(Color mean, Optional<Records> records) {
 
     /** The same light everywhere. */
     public static AmbientLight even(Color mean) {
-        return new AmbientLight(mean, Optional.empty());
+        return new AmbientLight(mean, Optional.empty(), 0);
     }
 
     /** Whether this is {@link #NONE}, so that no lookup is needed. */

@@ -24,6 +24,9 @@ public final class IrradianceCache {
     /** One over 1 - cos 45: a record does not count for a surface turned so far. */
     private static final double PER_TURN = 1 / (1 - Math.sqrt(0.5));
 
+    /** Above or below a record's surface, distances count three times: what lies there is another surface. */
+    private static final double PER_ABOVE = 8;
+
     private final double[] numbers;
     private final Hierarchy hierarchy;
 
@@ -76,7 +79,8 @@ public final class IrradianceCache {
         double x = (hit.x() - numbers[i]) * perRadius;
         double y = (hit.y() - numbers[i + 1]) * perRadius;
         double z = (hit.z() - numbers[i + 2]) * perRadius;
-        double within = 1 - (x * x + y * y + z * z);
+        double above = x * numbers[i + NORMAL] + y * numbers[i + NORMAL + 1] + z * numbers[i + NORMAL + 2];
+        double within = 1 - (x * x + y * y + z * z) - PER_ABOVE * above * above;
         if (!(within > 0)) {                 // true also if a radius is NaN
             return 0;
         }

@@ -1,9 +1,9 @@
 package raytracing.estimate;
 
-import raytracing.color.Color;
 import raytracing.color.MutableColor;
 import raytracing.math.Basis;
 import raytracing.math.CounterRandom;
+import raytracing.math.Vector;
 import raytracing.scene.Scene;
 import raytracing.shade.Shader;
 import raytracing.shade.VertexReservoir;
@@ -21,36 +21,37 @@ import raytracing.trace.PreparedScene;
  * A better way to construct the sunflower head, Mathematical Biosciences 44, 1979), turned by a random angle.
  */
 final class DiffusePaths {
-    /** Paths that start at each gather point (measured: DECISIONS). */
+    /** Paths that start at a gather point at once (measured: DECISIONS). */
     static final int PATHS = 48;
 
-    /** The light of so many bounces is each gather point's own; that of further ones differs little from point to point. */
-    private static final int OWN_BOUNCES = 2;
+    /** One in so many paths is followed further than its first ray, for the light that all gather points share. */
+    private static final int PATHS_FOR_A_LONG_ONE = 4;
 
-    /** Bounces that are followed; those beyond are summed up from the last one's (measured: DECISIONS). */
-    private static final int BOUNCES = 4;
-
-    /** One in so many paths is followed further than its own bounces: their light is used by all gather points together. */
-    private static final int PATHS_FOR_A_DEEP_ONE = 4;
-
-    private static final double SHARE = 1.0 / PATHS;
-    private static final double DEEP_SHARE = PATHS_FOR_A_DEEP_ONE * SHARE;
+    /** Rays of a long path, at most. */
+    private static final int MOST_RAYS = 8;
 
     /** Counters of a gather point's random numbers; its paths have those from 0 on. */
     private static final long TURN = -1;
-    private static final long DEEP = -2;
+    private static final long LONG = -2;
 
     private static final double[] SPIRAL = spiral();
 
     private final VertexReservoir vertex = new VertexReservoir(VertexReservoir.Scattering.DIFFUSE);
     private final Shader shader;
+    private final Vector eye;
     private final Hit from = new Hit();
     private final Basis basis = new Basis();
-    private final MutableColor weight = new MutableColor();
+    private final MutableColor share = new MutableColor();
+    private MutableColor found = share;
+    private long cell;
     private double u;
     private double v;
+    private double cosine;
+    private double sine;
+    private double outwards;
 
     DiffusePaths(Scene scene, PreparedScene prepared) {
+        eye = scene.camera().position();
         shader = Shader.forEstimates(scene, prepared, vertex);
     }
 
@@ -65,52 +66,81 @@ final class DiffusePaths {
         return directions;
     }
 
-    /** Gathers light at a point; all random numbers are of that key. */
-    void gather(GatherPoint point, long key) {
+    /**
+     * The first paths of a point: what they find waits for the light at their ends; all random numbers are of that key.
+     *
+     * @param everyPath is long, and not one in four
+     */
+    void gather(GatherPoint point, boolean everyPath, long key) {
+        int every = everyPath ? 1 : PATHS_FOR_A_LONG_ONE;
+        int longOne = Math.floorMod(CounterRandom.bits(key, LONG), every);
+        PathSegments first = new PathSegments(PATHS);
+        PathSegments further = new PathSegments(PATHS / every * (MOST_RAYS - 1));
+        double nearness = 0;
+        turn(key);
+        for (int i = 0; i < PATHS; i++) {
+            long pathKey = CounterRandom.bits(key, i);
+            followFirst(point, i, pathKey);
+            nearness += vertex.nearness(point.hit) / PATHS;
+            first.add(FurtherLight.NO_CELL, found, share, cell);
+            if (i % every == longOne) {
+                followFurther(further, pathKey);
+            }
+        }
+        point.begin(nearness, first, further);
+    }
+
+    /** More paths of a point, with the light at their ends. */
+    void gatherMore(GatherPoint point, FurtherLight further, long key) {
+        turn(key);
+        double nearness = 0;
+        for (int i = 0; i < PATHS; i++) {
+            followFirst(point, i, CounterRandom.bits(key, i));
+            nearness += vertex.nearness(point.hit) / PATHS;
+            further.addTo(found, share, cell);
+            point.add(found);
+        }
+        point.seeNear(nearness);
+    }
+
+    /** The turn of the spiral, as a direction in (u, v), and how far out in its ring each path starts. */
+    private void turn(long key) {
         long turn = CounterRandom.bits(key, TURN);
         double angle = 2 * Math.PI * CounterRandom.upperFraction(turn);
-        double cosine = StrictMath.cos(angle);
-        double sine = StrictMath.sin(angle);
-        double outwards = CounterRandom.lowerFraction(turn);
-        int deep = Math.floorMod(CounterRandom.bits(key, DEEP), PATHS_FOR_A_DEEP_ONE);
-        for (int i = 0; i < PATHS; i++) {
-            double radius = Math.sqrt((i + outwards) / PATHS);
-            u = radius * (cosine * SPIRAL[2 * i] - sine * SPIRAL[2 * i + 1]);
-            v = radius * (sine * SPIRAL[2 * i] + cosine * SPIRAL[2 * i + 1]);
-            follow(point, CounterRandom.bits(key, i), i % PATHS_FOR_A_DEEP_ONE == deep ? BOUNCES : OWN_BOUNCES);
+        cosine = StrictMath.cos(angle);
+        sine = StrictMath.sin(angle);
+        outwards = CounterRandom.lowerFraction(turn);
+    }
+
+    private void followFirst(GatherPoint point, int i, long key) {
+        double radius = Math.sqrt((i + outwards) / PATHS);
+        u = radius * (cosine * SPIRAL[2 * i] - sine * SPIRAL[2 * i + 1]);
+        v = radius * (sine * SPIRAL[2 * i] + cosine * SPIRAL[2 * i + 1]);
+        from.set(point.hit);
+        follow(CounterRandom.bits(key, 1));
+    }
+
+    /** The rest of a path, from where its first ray ended. */
+    private void followFurther(PathSegments segments, long key) {
+        for (int ray = 2; ray <= MOST_RAYS && vertex.isFound(); ray++) {
+            long start = cell;
+            from.set(vertex.hit());
+            long rayKey = CounterRandom.bits(key, ray);
+            drawDirection(rayKey);
+            follow(rayKey);
+            segments.add(start, found, share, cell);
         }
     }
 
-    private void follow(GatherPoint point, long key, int bounces) {
-        FurtherBounces further = point.further;
-        from.set(point.hit);
-        weight.set(1, 1, 1);
-        for (int bounce = 1; bounce <= bounces; bounce++) {
-            long bounceKey = CounterRandom.bits(key, bounce);
-            MutableColor found = lightFromAbove(bounceKey);
-            if (bounce == 1) {
-                point.nearness += SHARE * vertex.nearness(from);
-            }
-            if (bounce <= OWN_BOUNCES) {
-                point.ownLight.add(SHARE, weight, found);
-            } else {
-                further.light.add(DEEP_SHARE, weight, found);
-            }
-            if (bounce == BOUNCES) {
-                further.lastLight.add(DEEP_SHARE, weight, found);
-                further.arriving.add(DEEP_SHARE, weight, Color.WHITE);
-            }
-            if (!vertex.isFound()) {
-                return;
-            }
-            vertex.filter(weight);
-            if (bounce == OWN_BOUNCES) {
-                further.onward.add(SHARE, weight, Color.WHITE);
-            } else if (bounce == BOUNCES) {
-                further.beyond.add(DEEP_SHARE, weight, Color.WHITE);
-            }
-            from.set(vertex.hit());
-            drawDirection(bounceKey);
+    /** Finds what comes from the direction, and where the path may go on. */
+    private void follow(long key) {
+        found = lightFromAbove(key);
+        share.clear();
+        cell = FurtherLight.NO_CELL;
+        if (vertex.isFound()) {
+            share.set(1, 1, 1);
+            vertex.filter(share);
+            cell = FurtherLight.cell(vertex.hit(), eye);
         }
     }
 

@@ -40,8 +40,12 @@ final class GatherPointGrid implements SharedWork.Work {
     private final PointTraversal traversal = new PointTraversal();
     private final MutableColor unused = new MutableColor();
 
-    /** A grid of edge x edge cells over a picture, still without points. */
-    GatherPointGrid(Scene scene, PreparedScene prepared, int width, int height, int edge, long key) {
+    /**
+     * A grid of edge x edge cells over a picture, still without points.
+     *
+     * @param usualEdge edge of the grid by which the records' radii are measured
+     */
+    GatherPointGrid(Scene scene, PreparedScene prepared, int width, int height, int edge, int usualEdge, long key) {
         this.scene = scene;
         this.prepared = prepared;
         this.key = key;
@@ -50,7 +54,8 @@ final class GatherPointGrid implements SharedWork.Work {
         this.height = height;
         Camera camera = scene.camera();
         rays = new CameraRays(camera, width, height);
-        spacingAtDistance1 = camera.screenWidth() / camera.screenDistance() * Math.max(1, (double) height / width) / edge;
+        spacingAtDistance1 = camera.screenWidth() / camera.screenDistance() * Math.max(1, (double) height / width)
+            / usualEdge;
         points = new ArrayList<>(Collections.nCopies(edge * edge, Optional.empty()));
     }
 
@@ -62,8 +67,7 @@ final class GatherPointGrid implements SharedWork.Work {
     @Override
     public void work(int firstRow, int stride, int endRow) {
         VertexReservoir vertex = new VertexReservoir(VertexReservoir.Scattering.AMBIENT);
-        Scene unlit = new Scene(scene.camera(), scene.settings(), scene.materials(), scene.surfaces(), List.of());
-        Shader shader = Shader.forEstimates(unlit, prepared, vertex);
+        Shader shader = Shader.forEstimates(scene, prepared, vertex);
         for (int row = firstRow; row < endRow; row += stride) {
             for (int column = 0; column < edge; column++) {
                 int cell = edge * row + column;
@@ -71,9 +75,12 @@ final class GatherPointGrid implements SharedWork.Work {
                 double x = (column + CounterRandom.upperFraction(bits)) / edge * width;
                 double y = (row + CounterRandom.lowerFraction(bits)) / edge * height;
                 vertex.clear();              // where the lens shows black, no ray does it
-                shader.light(rays, x, y, bits);
+                MutableColor shown = shader.light(rays, x, y, bits);
                 if (vertex.isFound()) {
-                    points.set(cell, Optional.of(gatherPoint(vertex.hit())));
+                    GatherPoint point = gatherPoint(vertex.hit());
+                    point.shownWithout.set(shown);
+                    vertex.addShare(scene.settings().ambientScale(), point.shownOfAmbient);
+                    points.set(cell, Optional.of(point));
                 }
             }
         }
@@ -89,15 +96,20 @@ final class GatherPointGrid implements SharedWork.Work {
     }
 
     boolean isEmpty() {
-        return Collections.frequency(points, Optional.empty()) == points.size();
+        return filled() == 0;
+    }
+
+    /** The share of its cells that have a point. */
+    double filled() {
+        return 1 - (double) Collections.frequency(points, Optional.empty()) / points.size();
     }
 
     /** Chooses those points of every n-th row and column that the records of the ones chosen before do not cover. */
-    List<GatherPoint> choose(int step, List<GatherPoint> before) {
+    List<GatherPoint> choose(int step, List<GatherPoint> before, double detail) {
         List<GatherPoint> chosen = new ArrayList<>();
         List<IrradianceRecord> records = new ArrayList<>();
         for (GatherPoint point : before) {
-            records.add(point.toRecord(point.radius(), Color.BLACK));
+            records.add(point.toRecord(point.radius(detail), Color.BLACK));
         }
         Optional<IrradianceCache> cache = records.isEmpty() ? Optional.empty() : Optional.of(new IrradianceCache(records));
         for (int row = 0; row < edge; row += step) {

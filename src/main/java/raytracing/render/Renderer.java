@@ -43,7 +43,8 @@ public record Renderer(RenderSettings settings, Scene scene, CameraRays cameraRa
         long arranged = System.nanoTime();
         preparation.begin(Preparation.Step.AMBIENT_LIGHT);
         AmbientLight ambientLight =
-            AmbientEstimate.of(scene, surfaces, settings.width(), settings.height(), settings.seed(), threads);
+            AmbientEstimate.of(scene, surfaces, settings.width(), settings.height(), settings.seed(),
+                Double.POSITIVE_INFINITY, threads);
         return new Renderer(settings, scene, cameraRays, surfaces, ambientLight, arranged - start,
             System.nanoTime() - arranged);
     }

@@ -103,6 +103,11 @@ public final class VertexReservoir {
             path.blue() * factor(shareOfChance.blue(), blue));
     }
 
+    /** Adds the share of the light arriving at the point drawn that comes back along the ray, however large, times a factor. */
+    public void addShare(double factor, MutableColor sum) {
+        sum.add(factor * red, factor * green, factor * blue);
+    }
+
     private double factor(double share, double total) {
         return share * chances * Math.min(1, MOST_REFLECTANCE / total);
     }

@@ -34,7 +34,7 @@ class AmbientLookupTest {
     private static AmbientLight light(List<IrradianceRecord> records, Color mean) {
         List<IrradianceRecord> wide = records.stream()
             .map(record -> new IrradianceRecord(record.point(), record.normal(), WIDE_RADIUS, record.light())).toList();
-        return new AmbientLight(mean, Optional.of(AmbientLight.Records.of(records, wide, 48L * records.size())));
+        return new AmbientLight(mean, Optional.of(AmbientLight.Records.of(records, wide, 48L * records.size())), 0);
     }
 
     private static AmbientLookup lookup(List<IrradianceRecord> records, double mean) {
@@ -87,6 +87,14 @@ class AmbientLookupTest {
     @Test
     void aSurfaceThatIsTurnedAwayDoesNotCount() {
         assertEquals(9, lookup(List.of(record(0, 0, 0.5)), 9).at(at(0, 0, new Vector(1, 0, 0))).red(), 1e-12);
+    }
+
+    /** A step of a stair: within the radius, and turned the same way, but another surface. */
+    @Test
+    void aSurfaceAboveOrBelowDoesNotCount() {
+        AmbientLookup lookup = lookup(List.of(record(0, 0, 0.5)), 9);
+        Hit above = new HitRecord(0, 0, new Vector(0, WIDE_RADIUS / 2.9, 0), 0, UP, Departure.OUTWARD).toHit();
+        assertEquals(9, lookup.at(above).red(), 1e-12);
     }
 
     /** Interpolated light lies between the lights it comes from: no weight is negative. */

@@ -3,7 +3,10 @@ package raytracing.estimate;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -15,6 +18,9 @@ import raytracing.Shared;
 import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
 import raytracing.film.Film;
+import raytracing.math.Vector;
+import raytracing.parallel.ForkJoin;
+import raytracing.parallel.Preparation;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
 import raytracing.render.Renderers;
@@ -129,25 +135,80 @@ class AmbientEstimateTest {
     /** The answer is known for every point of the floor, from 0 where the ball touches it to nearly 1. */
     @Test
     void theFloorUnderABallIsAsDarkAsOnPaper() {
-        Scene scene = AmbientScenes.blackBallOverFloor(1, 1);
-        RenderSettings settings = RenderSettings.DEFAULT.withSize(60, 60);
-        Film film = Renderers.film(scene, settings);
-        CameraRays rays = new CameraRays(scene.camera(), 60, 60);
-        RayQuery query = new RayQuery(Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
+        assertEquals(0, floorError(underBall(Double.POSITIVE_INFINITY, 1)), 0.015);
+    }
+
+    /** By half, at least; that of the usual light is about 1.5 steps. */
+    @Test
+    void refinementLowersTheError() {
+        assertTrue(floorError(underBall(0.25, 1)) < floorError(underBall(Double.POSITIVE_INFINITY, 1)) / 1.5);
+    }
+
+    /** The ball and the sky have no ambient colour: all that is wrong is on the floor, which is less than the picture. */
+    @ParameterizedTest
+    @ValueSource(doubles = {Double.POSITIVE_INFINITY, 0.5, 0.25})
+    void whatTheEstimateSaysOfItsErrorIsTrueWithinAFactorOf2(double mostError) {
+        AmbientLight light = underBall(mostError, 1);
+        double error = 255 * floorError(light) * Math.sqrt(floorPixels() / (double) (60 * 60));
+        assertTrue(light.error() > error / 2 && light.error() < 2 * error, light.error() + " for " + error);
+    }
+
+    @Test
+    void anErrorThatIsThereAlreadyAsksForNoMorePaths() {
+        AmbientLight light = underBall(64, 1);
+        assertEquals(light.recordCount() * DiffusePaths.PATHS, light.pathCount());
+        assertTrue(underBall(0.25, 1).pathCount() > 10 * light.pathCount());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void refinedLightIsTheSameForEveryNumberOfThreads(int threads) {
+        AmbientLight one = underBall(0.5, 1);
+        AmbientLight other = underBall(0.5, threads);
+        assertEquals(one.mean(), other.mean());
+        assertEquals(one.error(), other.error());
+        assertEquals(one.pathCount(), other.pathCount());
+    }
+
+    private static final Scene UNDER_BALL = AmbientScenes.blackBallOverFloor(1, 1);
+    private static final RenderSettings LARGER = RenderSettings.DEFAULT.withSize(60, 60);
+
+    private static AmbientLight underBall(double mostError, int threads) {
+        return AmbientEstimate.of(UNDER_BALL, Queries.prepared(UNDER_BALL, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT), 60, 60,
+            1, mostError, new ForkJoin(threads, new Preparation()));
+    }
+
+    private static double floorError(AmbientLight light) {
+        Film film = Renderers.film(Renderers.inAmbientLight(Renderers.of(UNDER_BALL, LARGER), light));
         double squares = 0;
         int count = 0;
+        for (Optional<Vector> point : floorPoints()) {
+            if (point.isPresent()) {
+                double aside = Math.hypot(point.get().x(), point.get().z());
+                double error = film.get(count % 60, count / 60).red() - AmbientScenes.lightUnderBlackBall(1, 1, aside);
+                squares += error * error;
+            }
+            count++;
+        }
+        return Math.sqrt(squares / floorPixels());
+    }
+
+    private static long floorPixels() {
+        return floorPoints().stream().filter(Optional::isPresent).count();
+    }
+
+    /** What each pixel of the larger picture shows of the floor. */
+    private static List<Optional<Vector>> floorPoints() {
+        CameraRays rays = new CameraRays(UNDER_BALL.camera(), 60, 60);
+        RayQuery query = new RayQuery(Queries.prepared(UNDER_BALL, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT));
+        List<Optional<Vector>> points = new ArrayList<>();
         for (int pixel = 0; pixel < 60 * 60; pixel++) {
             rays.start(pixel % 60 + 0.5, pixel / 60 + 0.5, query.ray());
             query.begin();
-            if (query.advance() && query.surface() == 0) {
-                double aside = Math.hypot(query.hit().x(), query.hit().z());
-                double error = film.get(pixel % 60, pixel / 60).red() - AmbientScenes.lightUnderBlackBall(1, 1, aside);
-                squares += error * error;
-                count++;
-            }
+            points.add(query.advance() && query.surface() == 0
+                ? Optional.of(new Vector(query.hit().x(), query.hit().y(), query.hit().z())) : Optional.empty());
         }
-        assertTrue(count > 1000);
-        assertEquals(0, Math.sqrt(squares / count), 0.03);
+        return points;
     }
 
     @Test
@@ -166,7 +227,7 @@ class AmbientEstimateTest {
         assertEquals(Color.BLACK, Renderers.pixel(renderer, 11, 10));
     }
 
-    /** A ball that covers a 6000th of the picture, and so one of the first 40 x 40 places only for a seed in four. */
+    /** A ball that covers a 6000th of the picture, and so one of the first 24 x 24 places only for a seed in ten. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
     void theOnlyThingWithAnAmbientColourIsFoundIfItIsSmall(int seed) {

@@ -21,6 +21,25 @@ import raytracing.surface.RayRecord;
 public record AmbientPart(double[] light) {
     private static final int CHANNELS = 3;
 
+    /** All else that the picture shows. */
+    public static AmbientPart drawnWithout(Renderer renderer) {
+        Film film = Renderers.film(Renderers.inAmbientLight(renderer, AmbientLight.NONE));
+        double[] part = new double[CHANNELS * film.width() * film.height()];
+        for (int i = 0; i < part.length; i += CHANNELS) {
+            Color color = film.get(i / CHANNELS % film.width(), i / CHANNELS / film.width());
+            part[i] = color.red();
+            part[i + 1] = color.green();
+            part[i + 2] = color.blue();
+        }
+        return new AmbientPart(part);
+    }
+
+    /** What 8-bit channels show of the picture that this and the rest make. */
+    public AmbientPart shownOver(AmbientPart rest) {
+        return new AmbientPart(IntStream.range(0, light.length).mapToDouble(i -> Math.min(1, light[i] + rest.light[i]))
+            .toArray());
+    }
+
     /** Drawn by the program in some ambient light. */
     public static AmbientPart drawn(Renderer renderer, AmbientLight light) {
         Film with = Renderers.film(Renderers.inAmbientLight(renderer, light));

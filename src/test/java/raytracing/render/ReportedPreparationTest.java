@@ -96,14 +96,14 @@ class ReportedPreparationTest {
         assertTrue(counted.calls > 2, "calls: " + counted.calls);
     }
 
-    /** Of a picture with a grid of 40 x 40 places, all are settled; where nothing is seen, a finer grid has 160 x 160. */
+    /** Of a picture with a grid of 80 x 80 places, all are settled; where nothing is seen, a finer grid has 160 x 160. */
     @ParameterizedTest(name = "a ball of {0}")
-    @CsvSource({"1, 1600", "0.015, 25600"})
+    @CsvSource({"1, 6400", "0.015, 25600"})
     void everyPlaceOfAmbientLightIsSettledOnce(double radius, long places) {
         Scene scene = SceneText.scene(HEAD, "sph 0.0031 1.0043 0 " + radius + " 1", "lgt 3 9 -9  1 1 1  1 1 1");
         Counting counted = new Counting();
         AmbientEstimate.of(scene, Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT), 100, 100, 1,
-            new ForkJoin(1, counted));
+            Double.POSITIVE_INFINITY, new ForkJoin(1, counted));
         assertEquals(places, counted.expected);
         assertEquals(places, counted.done);
         assertTrue(counted.calls > 3, "calls: " + counted.calls);

@@ -45,8 +45,8 @@ class SameAmbientLightTest {
     /** What is gathered at the places is the same; only how far apart the pixels lie is not. */
     @Test
     void forPicturesOfTheSameShape() {
-        Color small = Renderers.of(SCENE, SMALL.withSize(60, 40)).ambientLight().mean();
-        Color large = Renderers.of(SCENE, SMALL.withSize(120, 80)).ambientLight().mean();
+        Color small = Renderers.of(SCENE, SMALL.withSize(90, 60)).ambientLight().mean();
+        Color large = Renderers.of(SCENE, SMALL.withSize(180, 120)).ambientLight().mean();
         assertEquals(small.red(), large.red(), 1e-9);
         assertEquals(small.green(), large.green(), 1e-9);
         assertEquals(small.blue(), large.blue(), 1e-9);

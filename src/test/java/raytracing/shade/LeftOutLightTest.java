@@ -35,7 +35,8 @@ class LeftOutLightTest {
 
     private static Film drawn(Scene scene, double negligibleWeight) {
         PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
-        AmbientLight ambientLight = AmbientEstimate.of(scene, prepared, SIZE, SIZE, 1, ForkJoin.sequential());
+        AmbientLight ambientLight =
+            AmbientEstimate.of(scene, prepared, SIZE, SIZE, 1, Double.POSITIVE_INFINITY, ForkJoin.sequential());
         Shader shader = new Shader(scene, prepared, ShadowMethod.OF_THE_SCENE, ambientLight, negligibleWeight,
             Shader.MOST_SURFACES, new VertexReservoir(VertexReservoir.Scattering.NONE));
         CameraRays rays = new CameraRays(scene.camera(), SIZE, SIZE);
