@@ -28,7 +28,12 @@ public final class Renderers {
         return with(renderer, renderer.settings(), light);
     }
 
-    private static Renderer with(Renderer renderer, RenderSettings settings, AmbientLight light) {
+    /** The same prepared scene in the same ambient light, for another way to draw it. */
+    public static Renderer withSampling(Renderer renderer, PixelSampling sampling) {
+        return with(renderer, renderer.settings().withSampling(sampling), renderer.ambientLight());
+    }
+
+    static Renderer with(Renderer renderer, RenderSettings settings, AmbientLight light) {
         return new Renderer(settings, renderer.scene(), renderer.cameraRays(), renderer.surfaces(), light,
             renderer.arrangingNanoseconds(), renderer.ambientNanoseconds());
     }
