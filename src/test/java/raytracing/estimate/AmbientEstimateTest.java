@@ -135,36 +135,50 @@ class AmbientEstimateTest {
     /** The answer is known for every point of the floor, from 0 where the ball touches it to nearly 1. */
     @Test
     void theFloorUnderABallIsAsDarkAsOnPaper() {
-        assertEquals(0, floorError(underBall(Double.POSITIVE_INFINITY, 1)), 0.015);
+        assertEquals(0, pictureError(underBall(Double.POSITIVE_INFINITY, 1, 1)), 3);
     }
 
-    /** By half, at least; that of the usual light is about 1.5 steps. */
+    /** From 1.9 to 1.1 steps with these seeds. */
     @Test
     void refinementLowersTheError() {
-        assertTrue(floorError(underBall(0.25, 1)) < floorError(underBall(Double.POSITIVE_INFINITY, 1)) / 1.5);
+        double usual = 0;
+        double refined = 0;
+        for (int seed = 1; seed <= 3; seed++) {
+            usual += square(pictureError(underBall(Double.POSITIVE_INFINITY, seed, 1)));
+            refined += square(pictureError(underBall(0.25, seed, 1)));
+        }
+        assertTrue(refined < usual / 2, refined + ", " + usual);
     }
 
-    /** The ball and the sky have no ambient colour: all that is wrong is on the floor, which is less than the picture. */
     @ParameterizedTest
-    @ValueSource(doubles = {Double.POSITIVE_INFINITY, 0.5, 0.25})
+    @ValueSource(doubles = {Double.POSITIVE_INFINITY, 0.25})
     void whatTheEstimateSaysOfItsErrorIsTrueWithinAFactorOf2(double mostError) {
-        AmbientLight light = underBall(mostError, 1);
-        double error = 255 * floorError(light) * Math.sqrt(floorPixels() / (double) (60 * 60));
-        assertTrue(light.error() > error / 2 && light.error() < 2 * error, light.error() + " for " + error);
+        double estimated = 0;
+        double error = 0;
+        for (int seed = 1; seed <= 3; seed++) {
+            AmbientLight light = underBall(mostError, seed, 1);
+            estimated += square(light.error());
+            error += square(pictureError(light));
+        }
+        assertTrue(estimated > error / 4 && estimated < 4 * error, estimated + " for " + error);
+    }
+
+    private static double square(double x) {
+        return x * x;
     }
 
     @Test
     void anErrorThatIsThereAlreadyAsksForNoMorePaths() {
-        AmbientLight light = underBall(64, 1);
+        AmbientLight light = underBall(64, 1, 1);
         assertEquals(light.recordCount() * DiffusePaths.PATHS, light.pathCount());
-        assertTrue(underBall(0.25, 1).pathCount() > 10 * light.pathCount());
+        assertTrue(underBall(0.25, 1, 1).pathCount() > 10 * light.pathCount());
     }
 
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 8})
     void refinedLightIsTheSameForEveryNumberOfThreads(int threads) {
-        AmbientLight one = underBall(0.5, 1);
-        AmbientLight other = underBall(0.5, threads);
+        AmbientLight one = underBall(0.5, 1, 1);
+        AmbientLight other = underBall(0.5, 1, threads);
         assertEquals(one.mean(), other.mean());
         assertEquals(one.error(), other.error());
         assertEquals(one.pathCount(), other.pathCount());
@@ -173,28 +187,24 @@ class AmbientEstimateTest {
     private static final Scene UNDER_BALL = AmbientScenes.blackBallOverFloor(1, 1);
     private static final RenderSettings LARGER = RenderSettings.DEFAULT.withSize(60, 60);
 
-    private static AmbientLight underBall(double mostError, int threads) {
+    private static AmbientLight underBall(double mostError, long seed, int threads) {
         return AmbientEstimate.of(UNDER_BALL, Queries.prepared(UNDER_BALL, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT), 60, 60,
-            1, mostError, new ForkJoin(threads, new Preparation()));
+            seed, mostError, new ForkJoin(threads, new Preparation()));
     }
 
-    private static double floorError(AmbientLight light) {
+    /** Root mean square of the picture, in steps: the ball and the sky have no ambient colour, and so no error. */
+    private static double pictureError(AmbientLight light) {
         Film film = Renderers.film(Renderers.inAmbientLight(Renderers.of(UNDER_BALL, LARGER), light));
         double squares = 0;
-        int count = 0;
+        int pixel = 0;
         for (Optional<Vector> point : floorPoints()) {
             if (point.isPresent()) {
                 double aside = Math.hypot(point.get().x(), point.get().z());
-                double error = film.get(count % 60, count / 60).red() - AmbientScenes.lightUnderBlackBall(1, 1, aside);
-                squares += error * error;
+                squares += square(film.get(pixel % 60, pixel / 60).red() - AmbientScenes.lightUnderBlackBall(1, 1, aside));
             }
-            count++;
+            pixel++;
         }
-        return Math.sqrt(squares / floorPixels());
-    }
-
-    private static long floorPixels() {
-        return floorPoints().stream().filter(Optional::isPresent).count();
+        return 255 * Math.sqrt(squares / pixel);
     }
 
     /** What each pixel of the larger picture shows of the floor. */
