@@ -54,7 +54,7 @@ final class ErrorCalibration {
     private ErrorCalibration(Effort effort) {
         boolean isFull = effort == Effort.FULL;
         points = isFull ? 4096 : 1024;
-        randomScenes = isFull ? 200 : 20;
+        randomScenes = 200;
         sampledScenes = randomScenes / 10;
     }
 

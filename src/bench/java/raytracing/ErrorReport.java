@@ -17,7 +17,7 @@ public final class ErrorReport {
     /**
      * Measures and writes, the errors before the times are measured.
      *
-     * @param arguments {@code quick} for fewer scenes, points and rounds
+     * @param arguments {@code quick} for fewer points and rounds
      */
     public static void main(String[] arguments) throws IOException, RayTracerException {
         boolean isQuick = List.of(arguments).contains("quick");

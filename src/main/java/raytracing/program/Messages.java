@@ -30,7 +30,7 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
     String finished(Drawing drawing, AmbientLight ambientLight, long nanoseconds) {
         long milliseconds = nanoseconds / MILLION;
         String time = milliseconds <= MOST_MILLISECONDS ? milliseconds + " ms" : milliseconds / 1000 + " s";
-        return output + ": " + pixels() + " in " + time + refinement(drawing) + ambience(ambientLight);
+        return output + ": " + pixels() + " in " + time + refinement(drawing, ambientLight) + ambience(ambientLight);
     }
 
     /** Why a picture is not whole, and what its file contains now. */
@@ -86,9 +86,9 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
             : size + " at " + region.left() + ", " + region.top() + " of " + settings.width() + " x " + settings.height();
     }
 
-    private String refinement(Drawing drawing) {
+    private String refinement(Drawing drawing, AmbientLight ambientLight) {
         if (!(settings.sampling() instanceof PixelGrid grid)) {
-            return errors(drawing);
+            return errors(drawing, ambientLight);
         }
         int root = grid.root();
         return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays", refined(drawing), root, root);
@@ -99,10 +99,11 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
     }
 
     /** What came out under an error limit. */
-    private String errors(Drawing drawing) {
+    private String errors(Drawing drawing, AmbientLight ambientLight) {
         ErrorTally errors = drawing.errors();
-        String sentence = String.format(Locale.ROOT, ", error about %s steps (largest %s), %.0f %% of the pixels with more "
-            + "than one ray", steps(errors.error()), steps(errors.largest()), refined(drawing));
+        String ambient = ambientLight.isNone() ? "" : ", ambient light about " + steps(ambientLight.error()) + " steps";
+        String sentence = String.format(Locale.ROOT, ", error about %s steps (largest %s)%s, %.0f %% of the pixels with more "
+            + "than one ray", steps(errors.error()), steps(errors.largest()), ambient, refined(drawing));
         if (errors.unfinished() > 0) {
             sentence += String.format(Locale.ROOT, ", %d of them need more than %d rays and may be off by up to %s steps",
                 errors.unfinished(), ErrorTally.rays(ErrorTally.levels() - 1), steps(errors.largestUnfinished()));

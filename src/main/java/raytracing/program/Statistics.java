@@ -44,7 +44,7 @@ final class Statistics {
         addScene(sceneFile, scene, renderer.ambientLight());
         addPicture(settings, drawing);
         if (settings.sampling() instanceof ErrorLimit limit) {
-            addErrors(limit, drawing.errors());
+            addErrors(limit, drawing.errors(), renderer.ambientLight());
         }
         addRays(drawing.counts(), renderer.ambientLight().pathCount());
         addTimes(renderer, drawing, times);
@@ -135,11 +135,14 @@ final class Statistics {
     }
 
     /** How many rays the pixels got under an error limit, and the errors that are left, in steps of 1/255. */
-    private void addErrors(ErrorLimit limit, ErrorTally errors) {
+    private void addErrors(ErrorLimit limit, ErrorTally errors, AmbientLight ambientLight) {
         begin("error");
         addSteps("limit", limit.steps());
         addSteps("estimate", errors.error());
         addSteps("largest estimate", errors.largest());
+        if (!ambientLight.isNone()) {
+            addSteps("estimate of ambient light", ambientLight.error());
+        }
         for (int level = 0; level < ErrorTally.levels(); level++) {
             int rays = ErrorTally.rays(level);
             addCount("pixels with " + rays + (rays == 1 ? " ray" : " rays"), errors.pixelsAt(level));

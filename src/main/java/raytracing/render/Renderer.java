@@ -42,9 +42,9 @@ public record Renderer(RenderSettings settings, Scene scene, CameraRays cameraRa
         PreparedScene surfaces = new PreparedScene(scene, settings.shadowMode(), shortcuts, threads);
         long arranged = System.nanoTime();
         preparation.begin(Preparation.Step.AMBIENT_LIGHT);
+        double mostError = settings.sampling() instanceof ErrorLimit limit ? limit.steps() : Double.POSITIVE_INFINITY;
         AmbientLight ambientLight =
-            AmbientEstimate.of(scene, surfaces, settings.width(), settings.height(), settings.seed(),
-                Double.POSITIVE_INFINITY, threads);
+            AmbientEstimate.of(scene, surfaces, settings.width(), settings.height(), settings.seed(), mostError, threads);
         return new Renderer(settings, scene, cameraRays, surfaces, ambientLight, arranged - start,
             System.nanoTime() - arranged);
     }
