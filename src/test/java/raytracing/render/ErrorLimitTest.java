@@ -169,6 +169,35 @@ class ErrorLimitTest {
         }
     }
 
+    /** The first rays of 42 x 42 pixels take 36 tiles; then a pixel is final, or a gap. */
+    @Test
+    void whatAStoppedPictureKeepsIsFinal() {
+        Scene scene = mixed();
+        Film whole = film(scene, 40, 2);
+        Cancellation cancellation = new Cancellation();
+        Drawing drawing = new Drawing(Renderers.of(scene, settings(40, 2).withWorkers(1, 8)), cancellation,
+            Cancellation.Leftovers.KEEP, new DrawingListener() {
+                private int shown;
+
+                @Override
+                public void showTile(Region tile, Film film, Region filmed) {
+                    if (++shown == 36 + 5) {
+                        cancellation.request();
+                    }
+                }
+            });
+        Film kept = drawing.band(0);
+        int finished = 0;
+        for (int i = 0; i < 1600; i++) {
+            if (!kept.isGap(i % 40, i / 40)) {
+                assertEquals(whole.get(i % 40, i / 40), kept.get(i % 40, i / 40), i % 40 + ", " + i / 40);
+                finished++;
+            }
+        }
+        assertEquals(5 * 64, finished);
+        assertTrue(drawing.isPartial());
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 5})
     void theTallyIsTheSameForAnyThreads(int threads) {
