@@ -30,6 +30,26 @@ public final class Films {
         return mean;
     }
 
+    /** A film whose pixels are the means of squares of n x n pixels, of light cut off at 1. */
+    public static Film shrunk(Film film, int n) {
+        Film shrunk = new Film(film.width() / n, film.height() / n);
+        for (int y = 0; y < shrunk.height(); y++) {
+            for (int x = 0; x < shrunk.width(); x++) {
+                double red = 0;
+                double green = 0;
+                double blue = 0;
+                for (int i = 0; i < n * n; i++) {
+                    Color color = film.get(x * n + i % n, y * n + i / n);
+                    red += Film.shown(color.red());
+                    green += Film.shown(color.green());
+                    blue += Film.shown(color.blue());
+                }
+                shrunk.set(x, y, red / (n * n), green / (n * n), blue / (n * n));
+            }
+        }
+        return shrunk;
+    }
+
     /** Root of the mean square of all differences, over all channels of all pixels. */
     public static double rootMeanSquare(Film a, Film b) {
         double squares = differences(a, b).map(difference -> difference * difference).sum();
@@ -55,6 +75,11 @@ public final class Films {
     /** The largest difference of a pixel's channels. */
     public static double largestOfPixel(Color p, Color q) {
         return differences(p, q).max().orElseThrow();
+    }
+
+    /** The sum of the squares of two pixels' differences, over their channels. */
+    public static double squaredDifference(Color p, Color q) {
+        return differences(p, q).map(difference -> difference * difference).sum();
     }
 
     private static DoubleStream differences(Film a, Film b) {

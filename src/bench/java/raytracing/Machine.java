@@ -1,9 +1,11 @@
 package raytracing;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.OptionalDouble;
 import java.util.stream.Stream;
 
 /** Where a figure was measured. */
@@ -17,6 +19,12 @@ public final class Machine {
         return Runtime.getRuntime().availableProcessors() + " processors (" + processor() + "), "
             + System.getProperty("os.name") + "; " + System.getProperty("java.vm.name") + " "
             + System.getProperty("java.runtime.version") + "; commit " + commit() + ".";
+    }
+
+    /** How much work all programs gave it in the last minute, in processors; nothing where the system does not say. */
+    public static OptionalDouble load() {
+        double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
+        return load < 0 ? OptionalDouble.empty() : OptionalDouble.of(load);
     }
 
     /** Which command measured, where, and with which sources: the sentences that stand before its figures. */
@@ -35,7 +43,7 @@ public final class Machine {
     }
 
     /** Says so if the sources are not exactly those of the commit. */
-    private static String commit() throws IOException {
+    private static String commit() {
         String commit = output("git", "rev-parse", "--short", "HEAD");
         String changes = output("git", "status", "--porcelain", "--",
             "src/main", "src/test", "src/bench", "src/report");
@@ -43,13 +51,18 @@ public final class Machine {
     }
 
     /** Year, month and day of the commit. */
-    public static String commitDate() throws IOException {
+    public static String commitDate() {
         String date = output("git", "log", "-1", "--format=%cs");
         return date.isEmpty() ? "unknown" : date;
     }
 
-    private static String output(String... command) throws IOException {
-        Process process = new ProcessBuilder(command).start();
-        return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+    /** What a command says; nothing if there is no such program. */
+    private static String output(String... command) {
+        try {
+            Process process = new ProcessBuilder(command).start();
+            return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+        } catch (IOException noSuchProgram) {
+            return "";
+        }
     }
 }

@@ -3,7 +3,8 @@ package raytracing;
 import java.util.List;
 
 /**
- * What is left of many measurements: unlike a mean, it does not mind the one that was disturbed.
+ * What is left of many measurements: unlike a mean, it does not mind the one that was disturbed. A quantile that falls between
+ * two measurements is between them in proportion.
  *
  * @param count how many there were
  * @param lower quartile
@@ -18,7 +19,9 @@ public record Quantiles(int count, double lower, double median, double upper) {
     }
 
     private static double at(List<Double> sorted, double share) {
-        return sorted.get((int) (share * (sorted.size() - 1) + 0.5));
+        double place = share * (sorted.size() - 1);
+        double below = sorted.get((int) Math.floor(place));
+        return below + (place - Math.floor(place)) * (sorted.get((int) Math.ceil(place)) - below);
     }
 
     /** Half the way between the quartiles. */

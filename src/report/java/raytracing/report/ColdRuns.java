@@ -18,7 +18,8 @@ final class ColdRuns {
 
     /** The scene's own settings, and those that a user would choose instead. */
     private static final List<List<String>> OPTIONS = Stream.concat(Stream.of(List.<String>of()),
-        Stream.of(Setting.exact(), Setting.atEdges(4)).flatMap(setting -> setting.options().stream())).toList();
+        Stream.of(Setting.exact(), Setting.atEdges(4), Setting.errorLimit(1))
+            .flatMap(setting -> setting.options().stream())).toList();
 
     private ColdRuns() {
     }

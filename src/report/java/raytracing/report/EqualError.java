@@ -26,6 +26,14 @@ final class EqualError {
 
     /** An answer. */
     record Time(double milliseconds, Origin origin) {
+        /** Marked where it may be less and where it is not between measured ones. */
+        String shown() {
+            return switch (origin) {
+                case COARSEST -> "≤ " + Shown.duration(milliseconds);
+                case INTERPOLATED -> Shown.duration(milliseconds);
+                case EXTRAPOLATED -> Shown.duration(milliseconds) + " *";
+            };
+        }
     }
 
     /** A series in any order. Points without error are left out: no line on logarithmic axes leads to them. */

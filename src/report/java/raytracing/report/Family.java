@@ -2,7 +2,6 @@ package raytracing.report;
 
 import java.util.List;
 import java.util.TreeSet;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import raytracing.scene.Scene;
 
@@ -12,7 +11,7 @@ enum Family {
     SHADOWS("Soft shadows", Series.SAMPLED, Series.EXACT) {
         @Override
         List<Setting> settings(Scene scene, Budget budget) {
-            TreeSet<Integer> roots = new TreeSet<>(IntStream.rangeClosed(1, MOST_SHADOW_ROOT).boxed().toList());
+            TreeSet<Integer> roots = new TreeSet<>(budget.shadowRoots());
             roots.add(scene.settings().shadowRayRoot());
             return Stream.concat(roots.stream().map(Setting::sampled), Stream.of(Setting.exact())).toList();
         }
@@ -24,12 +23,13 @@ enum Family {
     },
 
     /** Exact shadows; how near is the mean light of the whole pixel? */
-    EDGES("Edges", Series.EVERYWHERE, Series.AT_EDGES) {
+    EDGES("Edges", Series.EVERYWHERE, Series.ERROR_LIMIT) {
         @Override
         List<Setting> settings(Scene scene, Budget budget) {
             return Stream.of(Stream.of(Setting.oneRay()),
-                    budget.eyeRoots().stream().map(Setting::atEdges),
-                    budget.eyeRoots().stream().map(Setting::everywhere))
+                    budget.edgeRoots().stream().map(Setting::atEdges),
+                    budget.everywhereRoots().stream().map(Setting::everywhere),
+                    budget.errorLimits().stream().map(Setting::errorLimit))
                 .flatMap(settings -> settings).toList();
         }
 

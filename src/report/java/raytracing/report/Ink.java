@@ -4,12 +4,12 @@ import java.awt.Color;
 import java.util.Locale;
 
 /**
- * What plots are drawn with, on white paper. A page with a dark theme puts its own in their places, by name. Blue and
- * vermilion are of the set of Okabe and Ito (Color Universal Design, 2008), which the colour-blind can tell apart.
+ * What plots are drawn with, on white paper. A page with a dark theme puts its own in their places, by name. Blue,
+ * vermilion and green are of the set of Okabe and Ito (Color Universal Design, 2008), which the colour-blind can tell apart.
  */
 enum Ink {
     TEXT(0x33383d), FRAME(0x8c9196), GRID(0xe4e6e8), FRONT(0xc3c8cc),
-    BLUE(0x0072b2), VERMILION(0xd55e00), PURPLE(0xb0578d);
+    BLUE(0x0072b2), VERMILION(0xd55e00), PURPLE(0xb0578d), GREEN(0x009e73);
 
     private final Color color;
 

@@ -43,7 +43,7 @@ final class Markdown {
         List<List<String>> rows = new ArrayList<>(lines.stream().map(Markdown::cells).toList());
         List<String> heads = rows.remove(0);
         rows.remove(0);
-        return new Table("", heads, rows).html().replace("<caption></caption>", "");
+        return new Table("", heads, rows).html().replace("<caption><span></span></caption>", "");
     }
 
     private static List<String> cells(String line) {
@@ -51,7 +51,8 @@ final class Markdown {
         return Stream.of(cells).skip(1).map(cell -> cell.strip().replace("-/+", "±")).toList();
     }
 
-    private static String inline(String text) {
+    /** A line or a paragraph. */
+    static String inline(String text) {
         return CODE.matcher(Html.escaped(text)).replaceAll("<code>$1</code>").replace("-/+", "±");
     }
 }

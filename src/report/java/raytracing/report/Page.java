@@ -16,8 +16,10 @@ final class Page {
 
     private final Request request;
     private final List<SceneStudy> studies;
+    private final MachineLoad load;
 
-    Page(Request request, List<SceneStudy> studies) {
+    Page(Request request, List<SceneStudy> studies, MachineLoad load) {
+        this.load = load;
         this.request = request;
         this.studies = studies;
     }
@@ -33,7 +35,7 @@ final class Page {
             <title>Speed against error</title>
             <style>
             """ + style() + "</style>\n</head>\n<body>\n<main>\n" + heading() + overview() + scenes() + speedUps()
-            + crossings() + definitions() + "</main>\n</body>\n</html>\n";
+            + (studies.size() > 1 ? crossings() : "") + definitions() + "</main>\n</body>\n</html>\n";
     }
 
     private static String style() throws IOException {
@@ -44,16 +46,25 @@ final class Page {
 
     private String heading() throws IOException {
         return "<header>\n<h1>Speed against error</h1>\n"
-            + Headline.of(studies).stream().map(sentence -> "<p class=\"lead\">" + Html.escaped(sentence) + "</p>\n")
+            + Headline.of(studies).stream().map(sentence -> "<p class=\"lead\">" + Markdown.inline(sentence) + "</p>\n")
                 .collect(Collectors.joining())
             + "<dl class=\"facts\">\n" + fact("Command", "<code>" + Html.escaped(request.command()) + "</code>")
             + fact("Machine and program", Html.escaped(Machine.facts()) + " Date of the commit: "
                 + Machine.commitDate() + ".")
+            + fact("How busy it was", load.sentences() + " " + noise())
             + fact("Pictures", request.budget().size() + " x " + request.budget().size() + " pixels, seed "
                 + RenderSettings.DEFAULT_SEED + ", " + RenderSettings.DEFAULT.threads() + " threads")
             + fact("Scenes", studies.stream().map(study -> "<a href=\"#" + anchor(study) + "\">"
                 + Html.escaped(study.title()) + "</a>").collect(Collectors.joining(", ")))
             + "</dl>\n</header>\n";
+    }
+
+    private String noise() {
+        int all = studies.stream().flatMap(study -> study.families().stream())
+            .mapToInt(family -> family.measurements().size()).sum();
+        int noisy = studies.stream().flatMap(study -> study.families().stream())
+            .mapToInt(family -> family.noisy().size()).sum();
+        return noisy + " of " + all + " times look like noise, after a second try, and are marked †.";
     }
 
     private static String fact(String name, String html) {

@@ -1,20 +1,21 @@
 package raytracing.report;
 
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.Stream;
 
 /** The settings of a family whose pictures are shown side by side. */
 final class PictureRow {
     private PictureRow() {
     }
 
-    static List<Measurement> of(FamilyStudy study, int shadowRoot) {
-        Stream<Optional<Measurement>> chosen = study.family() == Family.SHADOWS
-            ? Stream.of(study.of(Series.SAMPLED, 1), study.of(Series.SAMPLED, shadowRoot),
-                study.of(Series.SAMPLED, Family.MOST_SHADOW_ROOT), study.of(Series.EXACT, 1))
-            : Stream.of(study.of(Series.ONE_RAY, 1), study.of(Series.AT_EDGES, 2), study.of(Series.AT_EDGES, 4),
-                study.of(Series.EVERYWHERE, 4));
-        return chosen.flatMap(Optional::stream).distinct().toList();
+    static List<Setting> settings(Family family, int shadowRoot) {
+        List<Setting> settings = family == Family.SHADOWS
+            ? List.of(Setting.sampled(1), Setting.sampled(shadowRoot), Setting.sampled(Family.MOST_SHADOW_ROOT),
+                Setting.exact())
+            : List.of(Setting.oneRay(), Setting.atEdges(4), Setting.everywhere(4), Setting.errorLimit(1));
+        return settings.stream().distinct().toList();
+    }
+
+    static List<Measurement> of(FamilyStudy study) {
+        return study.measurements().stream().filter(measurement -> measurement.illustration().isPresent()).toList();
     }
 }

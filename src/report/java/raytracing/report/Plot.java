@@ -1,87 +1,37 @@
 package raytracing.report;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
-import org.knowm.xchart.AnnotationText;
-import org.knowm.xchart.VectorGraphicsEncoder;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
-import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.Styler;
-import org.knowm.xchart.style.XYStyler;
-import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** Error against time on logarithmic axes: one line for each series, the front of the unbeaten behind them. */
+/** Error against time: one line for each series, the front of the unbeaten behind them, and a ring around what is best. */
 final class Plot {
-    static final int WIDTH = 540;
-    static final int HEIGHT = 440;
-
-    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
-    private static final Color NOTHING = new Color(255, 255, 255, 0);
-    private static final BasicStroke HAIRLINE = new BasicStroke(0.6f);
-    private static final BasicStroke THIN = new BasicStroke(1.2f);
-    private static final BasicStroke THICK = new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
-
-    /** Where a label stands beside its point: shares of the plot's height and of its width, which is about so. */
-    private static final double LIFT = 0.02;
-    private static final double CHARACTER = 6.4 / 440;
-    private static final double DISTANCE = 10.0 / 440;
-
     private final FamilyStudy study;
-    private final XYChart chart = new XYChartBuilder().width(WIDTH).height(HEIGHT)
-        .xAxisTitle("time of a warm frame, ms").yAxisTitle("error: RMSE in linear light").build();
-    private final LogarithmicRange times;
-    private final LogarithmicRange errors;
+    private final ErrorChart chart;
 
     private Plot(FamilyStudy study) {
         this.study = study;
         List<TimedError> all = new ArrayList<>(visible(study.measurements()));
         all.add(study.reference().half());
         all.add(new TimedError(all.get(0).milliseconds(), study.reference().ownError()));
-        times = LogarithmicRange.around(all.stream().map(TimedError::milliseconds).toList());
-        errors = LogarithmicRange.around(all.stream().map(TimedError::error).filter(error -> error > 0).toList());
+        all.add(new TimedError(all.get(0).milliseconds(), Recommendation.AIM));
+        chart = new ErrorChart("time of a warm frame, ms",
+            LogarithmicRange.around(all.stream().map(TimedError::milliseconds).toList()),
+            LogarithmicRange.around(all.stream().map(TimedError::error).filter(error -> error > 0).toList()));
     }
 
     /** A picture of a study that has errors. */
     static Svg of(FamilyStudy study) throws IOException {
         Plot plot = new Plot(study);
-        plot.style();
         plot.addFront();
-        plot.addOwnError();
+        plot.addRecommended();
         for (Series series : Series.values()) {
             plot.add(series);
         }
         plot.addHalf();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        VectorGraphicsEncoder.saveVectorGraphic(plot.chart, bytes, VectorGraphicsEncoder.VectorGraphicsFormat.SVG);
-        return new Svg(bytes.toString(StandardCharsets.UTF_8));
-    }
-
-    private void style() {
-        XYStyler styler = chart.getStyler();
-        styler.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
-        styler.setXAxisMin(times.least()).setXAxisMax(times.most()).setYAxisMin(errors.least())
-            .setYAxisMax(errors.most());
-        styler.setDecimalPattern("0.#########");
-        styler.setAxisTitleFont(FONT).setAxisTickLabelsFont(FONT).setAxisTickLabelsColor(Ink.TEXT.color());
-        styler.setXAxisTitleColor(Ink.TEXT.color());
-        styler.setYAxisGroupTitleColor(0, Ink.TEXT.color());
-        styler.setAxisTickMarksColor(Ink.FRAME.color()).setAxisTickMarksStroke(HAIRLINE);
-        styler.setPlotGridLinesColor(Ink.GRID.color()).setPlotGridLinesStroke(HAIRLINE);
-        styler.setPlotMargin(0).setPlotContentSize(1).setPlotBorderColor(Ink.FRAME.color());
-        styler.setPlotBackgroundColor(NOTHING).setChartBackgroundColor(NOTHING).setChartFontColor(Ink.TEXT.color());
-        styler.setLegendPosition(Styler.LegendPosition.InsideNE).setLegendFont(FONT).setLegendPadding(6);
-        styler.setLegendBackgroundColor(NOTHING).setLegendBorderColor(NOTHING);
-        styler.setAnnotationTextFont(FONT).setAnnotationTextFontColor(Ink.TEXT.color());
-        styler.setDefaultSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Line);
+        plot.addLevels();
+        return plot.chart.svg();
     }
 
     /** A step down at each of the unbeaten: on the line, nothing is to be had for less. */
@@ -94,17 +44,22 @@ final class Plot {
             steps.add(point);
         }
         if (!steps.isEmpty()) {
-            steps.add(new TimedError(times.most(), steps.get(steps.size() - 1).error()));
-            line("Pareto front", steps, Ink.FRONT, THICK, SeriesMarkers.NONE);
+            steps.add(new TimedError(chart.times().most(), steps.get(steps.size() - 1).error()));
+            chart.line("Pareto front", steps, Ink.FRONT, ErrorChart.THICK, SeriesMarkers.NONE);
         }
     }
 
-    private void addOwnError() {
-        double error = study.reference().ownError();
-        if (error > 0) {
-            line("the reference's own error",
-                List.of(new TimedError(times.least(), error), new TimedError(times.most(), error)),
-                Ink.TEXT, HAIRLINE, SeriesMarkers.NONE);
+    private void addRecommended() {
+        Measurement chosen = Recommendation.of(study).chosen();
+        if (study.figures(chosen).error() > 0) {
+            chart.ring("recommended: " + chosen.setting().asked().replace("`", ""), study.figures(chosen));
+        }
+    }
+
+    private void addLevels() {
+        chart.level("half a step of 1/255", Recommendation.AIM, ErrorChart.DASHED);
+        if (study.reference().ownError() > 0) {
+            chart.level("the reference's own error", study.reference().ownError(), ErrorChart.HAIRLINE);
         }
     }
 
@@ -114,34 +69,23 @@ final class Plot {
         if (measurements.isEmpty()) {
             return;
         }
-        measurements.forEach(this::addWhisker);
-        line(series.title(), visible(measurements), series.ink(), THIN, marker(series));
-        label(measurements.get(0));
+        measurements.forEach(measurement -> chart.whisker(measurement.setting().title() + ", quartiles",
+            measurement.milliseconds().lower(), measurement.milliseconds().upper(), study.figures(measurement).error(),
+            series.ink()));
+        chart.line(series.title(), visible(measurements), series.ink(), ErrorChart.THIN, ErrorChart.marker(series.shape()));
+        if (!Series.AFTER_ONE_RAY.contains(series)) {
+            label(measurements.get(0));
+        }
         if (measurements.size() > 1) {
             label(measurements.get(measurements.size() - 1));
         }
     }
 
-    /** From quartile to quartile of the times. */
-    private void addWhisker(Measurement measurement) {
-        double error = study.figures(measurement).error();
-        line(measurement.setting().title() + ", quartiles", List.of(
-                new TimedError(times.clamped(measurement.milliseconds().lower()), error),
-                new TimedError(times.clamped(measurement.milliseconds().upper()), error)),
-            measurement.setting().series().ink(), HAIRLINE, SeriesMarkers.NONE).setShowInLegend(false);
-    }
-
     /** The clever series below its points on the left, the others on the right: neither writes over the other. */
     private void label(Measurement measurement) {
-        TimedError point = study.figures(measurement);
-        String text = measurement.setting().title()
-            + (study.reference().hides(measurement.error().rootMeanSquare()) ? ", or less" : "");
-        double half = text.length() * CHARACTER / 2;
-        int side = measurement.setting().series() == study.family().clever() ? -1 : 1;
-        double middle = times.moved(point.milliseconds(), side * (half + DISTANCE));
-        chart.addAnnotation(new AnnotationText(text,
-            Math.min(Math.max(middle, times.moved(times.least(), half)), times.moved(times.most(), -half)),
-            errors.moved(point.error(), side * LIFT), false));
+        chart.label(measurement.setting().title()
+                + (study.reference().hides(measurement.error().rootMeanSquare()) ? ", or less" : ""),
+            study.figures(measurement), measurement.setting().series() == study.family().clever() ? -1 : 1);
     }
 
     /** Plain work goes on to the halves of the reference. */
@@ -150,33 +94,13 @@ final class Plot {
         Ink ink = study.family().plain().ink();
         if (half.error() > 0) {
             List<TimedError> plain = visible(study.of(study.family().plain()));
-            line("on to the half", List.of(plain.get(plain.size() - 1), half), ink, HAIRLINE, SeriesMarkers.NONE)
-                .setShowInLegend(false);
-            line("a half of the reference", List.of(half), ink, THIN, SeriesMarkers.PLUS);
+            chart.line("on to the half", List.of(plain.get(plain.size() - 1), half), ink, ErrorChart.HAIRLINE,
+                SeriesMarkers.NONE).setShowInLegend(false);
+            chart.line("a half of the reference", List.of(half), ink, ErrorChart.THIN, SeriesMarkers.PLUS);
         }
-    }
-
-    private XYSeries line(String title, List<TimedError> points, Ink ink, BasicStroke stroke, Marker marker) {
-        XYSeries series = chart.addSeries(title, array(points, TimedError::milliseconds),
-            array(points, TimedError::error));
-        series.setMarker(marker).setMarkerColor(ink.color());
-        series.setLineColor(ink.color()).setLineStyle(stroke);
-        return series;
-    }
-
-    private static double[] array(List<TimedError> points, ToDoubleFunction<TimedError> figure) {
-        return points.stream().mapToDouble(figure).toArray();
     }
 
     private List<TimedError> visible(List<Measurement> measurements) {
         return measurements.stream().map(study::figures).filter(point -> point.error() > 0).toList();
-    }
-
-    private static Marker marker(Series series) {
-        return switch (series.shape()) {
-            case CIRCLE -> SeriesMarkers.CIRCLE;
-            case DIAMOND -> SeriesMarkers.DIAMOND;
-            case SQUARE -> SeriesMarkers.SQUARE;
-        };
     }
 }

@@ -5,6 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
+import raytracing.Machine;
 import raytracing.Steps;
 import raytracing.parse.RayTracerException;
 
@@ -39,12 +41,16 @@ public final class Report {
             Steps.parseScene(scene);           // what is wrong with the last one is said before the first is drawn
         }
         prepare(request.folder());
+        OptionalDouble before = Machine.load();
         List<SceneStudy> studies = studies(request.scenes(), request.budget());
+        MachineLoad load = MachineLoad.since(before);
         Path page = request.folder().resolve("index.html");
-        Files.writeString(page, new Page(request, studies).html());
+        Files.writeString(page, new Page(request, studies, load).html());
         System.err.println("Written: " + page);
         if (request.part() == Request.Part.PAGE_AND_DOCUMENTS) {
-            Documents.write(request, studies, studies(List.of(Documents.SHOWN), Documents.BUDGET).get(0));
+            Budget budget = Budget.OF_ONE.withSize(request.budget().size());
+            SceneStudy shown = studies(List.of(Documents.SHOWN), budget).get(0);
+            Documents.write(request, studies, shown, MachineLoad.since(before));
         }
     }
 

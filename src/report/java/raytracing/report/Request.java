@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import raytracing.SceneFiles;
 import raytracing.parse.RayTracerException;
 
@@ -40,19 +41,25 @@ record Request(List<Path> scenes, Path folder, Budget budget, String command, Pa
         Part part = arguments.contains("documents") ? Part.PAGE_AND_DOCUMENTS : Part.PAGE;
         Optional<String> scene = value(arguments, "scene");
         Optional<String> out = value(arguments, "out");
-        Optional<String> size = value(arguments, "size");
+        OptionalInt size = size(arguments);
         Budget budget = scene.isPresent() ? Budget.OF_ONE : Budget.OF_MANY;
         return new Request(scene.isPresent() ? List.of(Path.of(scene.get())) : SceneFiles.all().toList(),
             out.map(Path::of).orElse(FOLDER),
-            size.isPresent() ? budget.withSize(size(size.get())) : budget,
+            size.isPresent() ? budget.withSize(size.getAsInt()) : budget,
             part.task + scene.map(file -> " -Pscene=" + shown(file)).orElse("")
-                + size.map(pixels -> " -Psize=" + pixels).orElse("") + out.map(o -> " -Pout=" + shown(o)).orElse(""),
+                + (size.isPresent() ? " -Psize=" + size.getAsInt() : "") + out.map(o -> " -Pout=" + shown(o)).orElse(""),
             part);
     }
 
     private static Optional<String> value(List<String> arguments, String name) {
         return arguments.stream().filter(argument -> argument.startsWith(name + "="))
             .map(argument -> argument.substring(name.length() + 1)).findFirst();
+    }
+
+    /** Width and height of the pictures in pixels, if the arguments say so. */
+    static OptionalInt size(List<String> arguments) throws RayTracerException {
+        Optional<String> size = value(arguments, "size");
+        return size.isPresent() ? OptionalInt.of(size(size.get())) : OptionalInt.empty();
     }
 
     private static int size(String text) throws RayTracerException {

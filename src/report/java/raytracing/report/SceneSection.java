@@ -3,9 +3,11 @@ package raytracing.report;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.Locale;
+import java.util.Optional;
 import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
 import raytracing.film.Film;
+import raytracing.render.Region;
 
 /** The part of the page about one scene. */
 final class SceneSection {
@@ -46,15 +48,18 @@ final class SceneSection {
     }
 
     private String family(FamilyStudy family) throws IOException {
-        Verdict verdict = Verdict.of(family);
-        String sentences = Html.escaped(verdict.sentences() + " " + referenceSentence(family));
+        String sentences = Verdict.of(family).sentences() + " " + referenceSentence(family);
         return "<article>\n" + heading(": " + family.family().title().toLowerCase(Locale.ROOT))
-            + "<p>" + sentences + "</p>\n<div class=\"figures\">\n" + plot(family) + Tables.settings(family).html()
-            + "</div>\n" + pictures(family) + "</article>\n";
+            + "<p class=\"answer\">" + Markdown.inline(Recommendation.of(family).sentences(study.shadowRoot()))
+            + "</p>\n<p>" + Markdown.inline(sentences) + "</p>\n<div class=\"figures\">\n" + plot(family)
+            + Tables.settings(family).html() + "</div>\n" + pictures(family) + "</article>\n";
     }
 
     private static String referenceSentence(FamilyStudy family) {
-        return "The reference's own error is about " + Shown.error(family.reference().ownError()) + ".";
+        Reference reference = family.reference();
+        return "The reference's own error is about " + Shown.error(reference.ownError()) + "."
+            + (reference.whole().isPresent() ? "" : " It has " + reference.pixels() + " pixels, in "
+                + reference.blocks().size() + " squares spread over the picture.");
     }
 
     private String plot(FamilyStudy family) throws IOException {
@@ -67,19 +72,39 @@ final class SceneSection {
     }
 
     private String pictures(FamilyStudy family) throws IOException {
-        Film reference = family.reference().film();
-        StringBuilder html = new StringBuilder("<div class=\"pictures\">\n" + referenceFigure(reference));
-        for (Measurement measurement : PictureRow.of(family, study.shadowRoot())) {
+        Optional<Film> reference = family.reference().whole();
+        StringBuilder html = new StringBuilder("<div class=\"pictures\">\n");
+        if (reference.isPresent()) {
+            html.append(referenceFigure(reference.orElseThrow()));
+        }
+        for (Measurement measurement : PictureRow.of(family)) {
             String title = measurement.setting().title();
             TimedError figures = family.figures(measurement);
             html.append("<figure>")
-                .append(picture(measurement.film().toImage(), title))
-                .append(map(ErrorMap.of(measurement.film(), reference), "errors of " + title))
+                .append(illustration(measurement.illustration().orElseThrow(), title))
                 .append("<figcaption>").append(Html.escaped(title)).append("<br>")
                 .append(Html.escaped(Shown.duration(figures.milliseconds()) + ", " + Shown.error(figures.error())))
                 .append("</figcaption></figure>\n");
         }
         return html.append("</div>\n").toString();
+    }
+
+    /** The picture with a frame around its worst place, its errors if they are known, and that place magnified. */
+    private String illustration(Illustration illustration, String title) throws IOException {
+        Closeup closeup = illustration.closeup();
+        String map = illustration.errorMap().isEmpty() ? ""
+            : map(illustration.errorMap().orElseThrow(), "errors of " + title);
+        return "<div class=\"framed\">" + picture(illustration.picture(), title)
+            + frame(closeup.place(), illustration.pictureSize()) + "</div>" + map
+            + "<div class=\"closeups\">" + picture(closeup.found().toImage(), title + ", where it is worst")
+            + picture(closeup.aim().toImage(), "the reference there") + "</div>";
+    }
+
+    /** Where a close-up lies in the picture below it: in shares of that, whatever its size on the page is. */
+    static String frame(Region place, int pictureSize) {
+        double percent = 100.0 / pictureSize;
+        return String.format(Locale.ROOT, "<span style=\"left:%.2f%%;top:%.2f%%;width:%.2f%%;height:%.2f%%\"></span>",
+            place.left() * percent, place.top() * percent, place.width() * percent, place.height() * percent);
     }
 
     private String picture(BufferedImage picture, String title) throws IOException {

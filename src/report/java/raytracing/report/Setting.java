@@ -2,6 +2,7 @@ package raytracing.report;
 
 import java.util.List;
 import java.util.Optional;
+import raytracing.render.ErrorLimit;
 import raytracing.render.PixelGrid;
 import raytracing.render.PixelSampling;
 import raytracing.render.RenderSettings;
@@ -16,7 +17,7 @@ import raytracing.shadow.ShadowMethod;
  * @param sampling how many rays of the eye a pixel gets
  * @param options what asks the program for it on the command line; nothing where there is no such option
  */
-record Setting(Series series, int number, ShadowMethod shadows, PixelSampling sampling,
+record Setting(Series series, double number, ShadowMethod shadows, PixelSampling sampling,
                Optional<List<String>> options) {
     private static final List<String> EXACT_SHADOWS = List.of("--shadows", "exact");
 
@@ -49,6 +50,22 @@ record Setting(Series series, int number, ShadowMethod shadows, PixelSampling sa
     static Setting everywhere(int root) {
         return new Setting(Series.EVERYWHERE, root, new ShadowMethod.Exact(),
             new PixelGrid(root, PixelGrid.Where.EVERYWHERE), Optional.empty());
+    }
+
+    /** As many rays for each pixel as its error needs, which is to stay below so many steps of 1/255; exact shadows. */
+    static Setting errorLimit(double steps) {
+        return new Setting(Series.ERROR_LIMIT, steps, new ShadowMethod.Exact(), new ErrorLimit(steps),
+            Optional.of(List.of("--error", Shown.plain(steps))));
+    }
+
+    /** How a user asks for it. */
+    String asked() {
+        return "`" + String.join(" ", options.orElseThrow()) + "`";
+    }
+
+    /** How much work it is, to be compared within its series: of more rays, or of a smaller error. */
+    double work() {
+        return series == Series.ERROR_LIMIT ? -number : number;
     }
 
     String title() {

@@ -9,6 +9,9 @@ import raytracing.Quantiles;
 /** Figures as people read them. */
 final class Shown {
     private static final int DIGITS = 3;
+    private static final double STEPS = 255;
+    private static final double LEAST_STEPS = 0.001;
+    private static final int ROUGH_DIGITS = 2;
     private static final double MILLISECONDS_IN_SECOND = 1000;
     private static final double SECONDS_IN_MINUTE = 60;
     private static final double MINUTES_IN_HOUR = 60;
@@ -22,6 +25,24 @@ final class Shown {
         int digitsBeforePoint = rounded.precision() - rounded.scale();
         return value == 0 ? "0"
             : rounded.setScale(Math.max(0, DIGITS - digitsBeforePoint), RoundingMode.HALF_UP).toPlainString();
+    }
+
+    /** A number of a setting, without a point where it is whole. */
+    static String plain(double number) {
+        return number == Math.rint(number) ? String.valueOf((long) number) : String.valueOf(number);
+    }
+
+    /** An error in linear light, in steps of 1/255. */
+    static String steps(double error) {
+        double steps = error * STEPS;
+        return steps == 0 ? "0" : steps < LEAST_STEPS ? "< " + LEAST_STEPS
+            : rough(steps);
+    }
+
+    /** Two digits that count, or all before the point: for sentences. */
+    static String rough(double value) {
+        double rounded = new BigDecimal(value).round(new MathContext(ROUGH_DIGITS)).doubleValue();
+        return rounded >= 10 ? String.valueOf((long) rounded) : plain(rounded);
     }
 
     /** Two digits that count, with a power of ten; 0 for none at all. */

@@ -38,7 +38,7 @@ final class SpeedUps {
         Map<String, Set<Shortcut>> selections = selections();
         List<Renderer> renderers = selections.values().stream()
             .map(shortcuts -> Renderers.withShortcuts(scene, settings, shortcuts)).toList();
-        List<Rounds.Drawn> drawn = Rounds.of(renderers, budget, progress.in("Speed-ups"));
+        List<Rounds.Drawn> drawn = Rounds.of(renderers, Noise::wide, budget, progress.in("Speed-ups"));
         List<String> titles = List.copyOf(selections.keySet());
         Rounds.Drawn all = drawn.get(0);
         List<Row> rows = new ArrayList<>();

@@ -13,16 +13,22 @@ import raytracing.MarkdownTable;
  */
 record Table(String caption, List<String> heads, List<List<String>> rows) {
     String html() {
-        return "<table><caption>" + Html.escaped(caption) + "</caption><thead>"
+        return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + Html.escaped(label()) + "\">"
+            + "<table><caption><span>" + Markdown.inline(caption) + "</span></caption><thead>"
             + row("<th scope=\"col\">", "</th>", "th", heads) + "</thead><tbody>\n"
             + rows.stream().map(cells -> row("<th scope=\"row\">", "</th>", "td", cells)).collect(Collectors.joining())
-            + "</tbody></table>\n";
+            + "</tbody></table></div>\n";
+    }
+
+    /** For those who reach the scrolling part with the keyboard and cannot see it. */
+    private String label() {
+        return caption.isEmpty() ? "table" : "table: " + caption.replaceFirst("[.:] .*", "");
     }
 
     private static String row(String begin, String end, String tag, List<String> cells) {
-        return "<tr>" + begin + Html.escaped(cells.get(0)) + end
+        return "<tr>" + begin + Markdown.inline(cells.get(0)) + end
             + cells.subList(1, cells.size()).stream()
-                .map(cell -> "<" + tag + ">" + Html.escaped(cell) + "</" + tag + ">").collect(Collectors.joining())
+                .map(cell -> "<" + tag + ">" + Markdown.inline(cell) + "</" + tag + ">").collect(Collectors.joining())
             + "</tr>\n";
     }
 

@@ -2,11 +2,15 @@ package raytracing.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Everything that was measured, in tables. */
 final class Tables {
     private static final String ON_THE_FRONT = "●";
+    private static final String RECOMMENDED = "◎";
+    private static final String NOISE = " †";
+    private static final String NONE = "-";
 
     private Tables() {
     }
@@ -16,17 +20,20 @@ final class Tables {
         List<String> heads = List.of("setting", "frame, ms", "RMSE", "largest", "PSNR, dB", "off by > 1 step, %",
             "SSIM", "front");
         List<Measurement> front = study.front();
-        return new Table("Frames: median (quartiles). ● not beaten in both time and error.", heads,
+        return new Table("Frames: median (quartiles). ● not beaten in both time and error, ◎ and recommended. "
+            + "† noise: quartiles far apart, or less time than a setting with less work.", heads,
             study.measurements().stream().map(measurement -> settingCells(study, measurement, front)).toList());
     }
 
     private static List<String> settingCells(FamilyStudy study, Measurement measurement, List<Measurement> front) {
         ErrorFigures error = measurement.error();
+        String mark = measurement.equals(Recommendation.of(study).chosen()) ? RECOMMENDED : ON_THE_FRONT;
         boolean isBound = study.reference().hides(error.rootMeanSquare());
-        return List.of(measurement.setting().title(), Shown.quartiles(measurement.milliseconds()),
+        return List.of(measurement.setting().title(),
+            Shown.quartiles(measurement.milliseconds()) + (study.noisy().contains(measurement) ? NOISE : ""),
             (isBound ? "≤ " : "") + Shown.error(study.figures(measurement).error()), Shown.error(error.largest()),
             Shown.decibels(error.psnr()), Shown.percent(error.shareOff()), Shown.similarity(error.ssim()),
-            front.contains(measurement) ? ON_THE_FRONT : "");
+            front.contains(measurement) || mark.equals(RECOMMENDED) ? mark : "");
     }
 
     /** Exact shadows and sampled ones, scene by scene. */
@@ -34,7 +41,7 @@ final class Tables {
         return new Table("Soft shadows, one ray a pixel. Times of a warm frame; errors: RMSE in linear light. "
             + "* extrapolated.",
             List.of("scene", "its own N", "frame, ms", "error", "exact: frame, ms", "error",
-                "sampling at that error", "times as long"),
+                "sampling at that error", "times as long", "recommended"),
             studies.stream().flatMap(study -> study.family(Family.SHADOWS).stream()
                 .map(family -> shadowCells(study, family))).toList());
     }
@@ -45,27 +52,40 @@ final class Tables {
         TimedError figures = study.figures(own);
         return List.of(scene.title(), String.valueOf(scene.shadowRoot()), Shown.number(figures.milliseconds()),
             Shown.error(figures.error()), Shown.number(verdict.figures().milliseconds()), verdict.shownError(),
-            verdict.shownPlain(), verdict.shownTimesAsLong());
+            verdict.shownPlain(), verdict.shownTimesAsLong(), recommended(study));
     }
 
-    /** More rays at edges and everywhere, scene by scene. */
+    private static String recommended(FamilyStudy study) {
+        return study.hasErrors() ? Recommendation.of(study).chosen().setting().asked() : NONE;
+    }
+
+    /** How long each way to smooth edges takes for the same error, scene by scene. */
     static Table edges(List<SceneStudy> studies) {
-        return new Table("Edges, with exact shadows. Times of a warm frame; errors: RMSE in linear light. "
-            + "* extrapolated.",
-            List.of("scene", "one ray: frame, ms", "error", "4 x 4 at edges: frame, ms", "error", "pixels refined, %",
-                "everywhere at that error", "times as long"),
+        return new Table("Edges, with exact shadows: time of a warm frame that is right to half a step of 1/255, "
+            + "RMSE 2.0e-3. * extrapolated; ≤ the coarsest setting is right to that already.",
+            List.of("scene", "one ray: frame, ms", "off by, steps", "`--error`", "`--samples`", "everywhere",
+                "`--samples` over `--error`", "everywhere over `--error`", "recommended"),
             studies.stream().flatMap(study -> study.family(Family.EDGES).stream()
                 .map(family -> edgeCells(study, family))).toList());
     }
 
     private static List<String> edgeCells(SceneStudy scene, FamilyStudy study) {
-        Verdict verdict = Verdict.of(study);
-        Measurement oneRay = study.of(Series.ONE_RAY, 1).orElseThrow();
-        TimedError figures = study.figures(oneRay);
-        return List.of(scene.title(), Shown.number(figures.milliseconds()), Shown.error(figures.error()),
-            Shown.number(verdict.figures().milliseconds()), verdict.shownError(),
-            verdict.shownRefined(),
-            verdict.shownPlain(), verdict.shownTimesAsLong());
+        TimedError figures = study.figures(study.of(Series.ONE_RAY, 1).orElseThrow());
+        Optional<EqualError.Time> limit = study.timeAt(Series.ERROR_LIMIT, Recommendation.AIM);
+        Optional<EqualError.Time> edges = study.timeAt(Series.AT_EDGES, Recommendation.AIM);
+        Optional<EqualError.Time> everywhere = study.timeAt(Series.EVERYWHERE, Recommendation.AIM);
+        return List.of(scene.title(), Shown.number(figures.milliseconds()), Shown.steps(figures.error()),
+            shown(limit), shown(edges), shown(everywhere), ratio(edges, limit), ratio(everywhere, limit),
+            recommended(study));
+    }
+
+    static String shown(Optional<EqualError.Time> time) {
+        return time.map(EqualError.Time::shown).orElse(NONE);
+    }
+
+    private static String ratio(Optional<EqualError.Time> one, Optional<EqualError.Time> other) {
+        return one.flatMap(time -> other.map(limit -> Shown.number(time.milliseconds() / limit.milliseconds())))
+            .orElse(NONE);
     }
 
     /** Shortcuts left out, with the scenes' own N. */

@@ -3,20 +3,21 @@ package raytracing.report;
 import java.util.Optional;
 
 /**
- * What comes of comparing the cleverest setting of a family with plain work at equal error.
+ * What comes of comparing the clever setting of a family with plain work at equal error.
  *
  * @param study of which scene and family
  * @param contender the setting
  * @param plain when plain work has as little error; nothing where that cannot be said
  */
 record Verdict(FamilyStudy study, Measurement contender, Optional<EqualError.Time> plain) {
-    /** Enough that edges look smooth, and what a user would choose first. */
-    private static final int EYE_ROOT = 4;
+    /** A step: what a user would choose first. */
+    private static final int ERROR_LIMIT = 1;
 
     static Verdict of(FamilyStudy study) {
-        int number = study.family() == Family.EDGES ? EYE_ROOT : 1;
+        int number = study.family() == Family.EDGES ? ERROR_LIMIT : 1;
         Measurement contender = study.of(study.family().clever(), number).orElseThrow();
-        return new Verdict(study, contender, study.plainTimeAtErrorOf(contender));
+        return new Verdict(study, contender,
+            study.timeAt(study.family().plain(), study.figures(contender).error()));
     }
 
     TimedError figures() {
@@ -39,11 +40,7 @@ record Verdict(FamilyStudy study, Measurement contender, Optional<EqualError.Tim
 
     /** Time at equal error, marked where it may be more or less and where it is not between measured ones. */
     String shownPlain() {
-        return (isBound() && plain.isPresent() ? "≥ " : "") + plain.map(time -> switch (time.origin()) {
-            case COARSEST -> "≤ " + Shown.duration(time.milliseconds());
-            case INTERPOLATED -> Shown.duration(time.milliseconds());
-            case EXTRAPOLATED -> Shown.duration(time.milliseconds()) + " *";
-        }).orElse("-");
+        return (isBound() && plain.isPresent() ? "≥ " : "") + Tables.shown(plain);
     }
 
     String shownTimesAsLong() {
@@ -62,12 +59,12 @@ record Verdict(FamilyStudy study, Measurement contender, Optional<EqualError.Tim
     }
 
     private String edgeSentence() {
-        return EYE_ROOT + " x " + EYE_ROOT + " rays at edges, which are " + shownRefined() + " % of the pixels, take "
+        return "`--error " + ERROR_LIMIT + "` gives " + shownRefined() + " % of the pixels more than one ray and takes "
             + Shown.duration(figures().milliseconds()) + " for an error " + amount() + ".";
     }
 
     String shownRefined() {
-        return Shown.percent(contender.rendering().refinedShare());
+        return Shown.percent(contender.refinedShare());
     }
 
     private String amount() {

@@ -17,7 +17,8 @@ final class WarmUp {
     static void run(Scene scene, RenderSettings settings, Progress progress) {
         progress.say("warming up");
         List<Renderer> renderers = Stream.of(
-                Setting.sampled(1), Setting.sampled(4), Setting.exact(), Setting.atEdges(2), Setting.everywhere(2))
+                Setting.sampled(1), Setting.sampled(4), Setting.exact(), Setting.atEdges(2), Setting.everywhere(2),
+                Setting.errorLimit(2))
             .map(setting -> Renderers.of(scene, setting.in(settings))).toList();
         long start = System.nanoTime();
         while (System.nanoTime() - start < NANOSECONDS) {

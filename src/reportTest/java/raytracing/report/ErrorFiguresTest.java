@@ -2,6 +2,7 @@ package raytracing.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import raytracing.film.Film;
 
@@ -31,6 +32,19 @@ class ErrorFiguresTest {
     void whatNoPictureShowsIsNoError() {
         assertEquals(new ErrorFigures(0, 0, Double.POSITIVE_INFINITY, 0, 1),
             ErrorFigures.of(Pictures.even(SIZE, 3), Pictures.even(SIZE, 2)));
+    }
+
+    /** Three parts of four are right, the fourth is off by 0.2 everywhere. */
+    @Test
+    void partsOfEqualSizeCountAlike() {
+        ErrorFigures right = ErrorFigures.of(Pictures.even(SIZE, 0.2), Pictures.even(SIZE, 0.2));
+        ErrorFigures wrong = ErrorFigures.of(Pictures.even(SIZE, 0.4), Pictures.even(SIZE, 0.2));
+        ErrorFigures all = ErrorFigures.ofAll(List.of(right, wrong, right, right));
+        assertEquals(0.1, all.rootMeanSquare(), ROUNDING);
+        assertEquals(0.2, all.largest(), ROUNDING);
+        assertEquals(20 * Math.log10(10), all.psnr(), ROUNDING);
+        assertEquals(0.25, all.shareOff());
+        assertEquals((3 + wrong.ssim()) / 4, all.ssim(), ROUNDING);
     }
 
     @Test

@@ -15,8 +15,14 @@ class HtmlTest {
     @Test
     void aTableKeepsItsOrderAndEscapesItsCells() {
         String html = new Table("x < y", List.of("name", "figure"), List.of(List.of("a", "> 1"))).html();
-        assertTrue(html.contains("<caption>x &lt; y</caption>"), html);
+        assertTrue(html.contains("<caption><span>x &lt; y</span></caption>"), html);
         assertTrue(html.contains("<th scope=\"row\">a</th><td>&gt; 1</td>"), html);
+    }
+
+    @Test
+    void codeInATableLooksLikeCode() {
+        assertTrue(new Table("", List.of("asked"), List.of(List.of("`--error 1`"))).html()
+            .contains("<th scope=\"row\"><code>--error 1</code></th>"));
     }
 
     @Test

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import raytracing.Films;
 import raytracing.film.Film;
+import raytracing.render.Region;
 
 class ReferenceTest {
     private static final int SIZE = 100;
@@ -28,7 +30,7 @@ class ReferenceTest {
     @Test
     void itsOwnErrorIsThatFromTheTruth() {
         Reference reference = Reference.of(noisy(1), noisy(2), 1);
-        double distance = Films.rootMeanSquare(reference.film(), Pictures.even(SIZE, LIGHT));
+        double distance = Films.rootMeanSquare(reference.whole().orElseThrow(), Pictures.even(SIZE, LIGHT));
         assertEquals(1, reference.ownError() / distance, 0.03);
     }
 
@@ -40,7 +42,7 @@ class ReferenceTest {
     @Test
     void thePictureWithoutErrorIsHidden() {
         Reference reference = Reference.of(noisy(5), noisy(6), 1);
-        double distance = Films.rootMeanSquare(reference.film(), Pictures.even(SIZE, LIGHT));
+        double distance = Films.rootMeanSquare(reference.whole().orElseThrow(), Pictures.even(SIZE, LIGHT));
         assertTrue(reference.hides(distance));
         assertEquals(reference.ownError(), reference.error(distance));
     }
@@ -49,9 +51,18 @@ class ReferenceTest {
     @Test
     void aPictureAsBadAsAHalfIsNotHidden() {
         Reference reference = Reference.of(noisy(7), noisy(8), 1);
-        double distance = Films.rootMeanSquare(reference.film(), noisy(9));
+        double distance = Films.rootMeanSquare(reference.whole().orElseThrow(), noisy(9));
         assertFalse(reference.hides(distance));
         assertEquals(distance, reference.error(distance));
+    }
+
+    @Test
+    void squaresOfItHaveTheirOwnErrorTogether() {
+        Reference squares = Reference.of(List.of(new Region(5, 5, 105, 105), new Region(205, 5, 305, 105)),
+            List.of(noisy(1), Pictures.even(SIZE, LIGHT)), List.of(noisy(2), Pictures.even(SIZE, LIGHT)), 1);
+        assertEquals(Reference.of(noisy(1), noisy(2), 1).ownError() / Math.sqrt(2), squares.ownError(), 1e-12);
+        assertFalse(squares.whole().isPresent());
+        assertEquals(2 * SIZE * SIZE, squares.pixels());
     }
 
     @Test

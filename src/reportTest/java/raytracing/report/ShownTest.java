@@ -23,6 +23,22 @@ class ShownTest {
     }
 
     @Test
+    void roughNumbersHaveTwoDigitsThatCount() {
+        assertEquals("9.5", Shown.rough(9.46));
+        assertEquals("7", Shown.rough(7.04));
+        assertEquals("120", Shown.rough(123.4));
+        assertEquals("0.28", Shown.rough(0.2751));
+    }
+
+    @Test
+    void errorsAreAlsoInSteps() {
+        assertEquals("0.5", Shown.steps(0.5 / 255));
+        assertEquals("12", Shown.steps(0.047));
+        assertEquals("< 0.001", Shown.steps(1e-6));
+        assertEquals("0", Shown.steps(0));
+    }
+
+    @Test
     void errorsHaveAPowerOfTenWithoutLeadingNoughts() {
         assertEquals("4.6e-5", Shown.error(0.0000461));
         assertEquals("1.0e-12", Shown.error(1e-12));

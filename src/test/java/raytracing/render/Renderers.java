@@ -38,7 +38,12 @@ public final class Renderers {
             renderer.arrangingNanoseconds(), renderer.ambientNanoseconds());
     }
 
-    /** The whole picture on one film. */
+    /** The same for a part of the picture, without preparing the scene again. */
+    public static Renderer inRegion(Renderer renderer, Region region) {
+        return with(renderer, renderer.settings().withRegion(region), renderer.ambientLight());
+    }
+
+    /** All of the region on one film. */
     public static Film film(Renderer renderer) {
         return Rendering.of(renderer).film();
     }
