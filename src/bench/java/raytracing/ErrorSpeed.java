@@ -108,13 +108,17 @@ final class ErrorSpeed {
         oneIn = isFull ? 32 : 128;
     }
 
-    static String section(Effort effort) throws IOException, RayTracerException {
-        return new ErrorSpeed(effort).measured();
+    /** Of the scenes with some names; of all if there are no names. */
+    static String section(Effort effort, List<String> names) throws IOException, RayTracerException {
+        return new ErrorSpeed(effort).measured(names);
     }
 
-    private String measured() throws IOException, RayTracerException {
+    private String measured(List<String> names) throws IOException, RayTracerException {
         List<List<Outcome>> outcomes = LIMITS.stream().<List<Outcome>>map(limit -> new ArrayList<>()).toList();
         for (ErrorScenes.Named named : ErrorScenes.all()) {
+            if (!names.isEmpty() && !names.contains(named.title())) {
+                continue;
+            }
             List<Outcome> ofScene = outcomes(named);
             for (int i = 0; i < LIMITS.size(); i++) {
                 outcomes.get(i).add(ofScene.get(i));

@@ -17,7 +17,7 @@ public final class MeasuredPart {
     }
 
     /** Writes another one in its place, in a document with several such parts: the marks bear its name. */
-    static void replace(Path file, String name, String measured) throws IOException {
+    public static void replace(Path file, String name, String measured) throws IOException {
         String document = Files.readString(file);
         Files.writeString(file, document.substring(0, begin(file, document, name)) + "\n" + measured + "\n"
             + document.substring(document.indexOf(mark(name, "end"))));

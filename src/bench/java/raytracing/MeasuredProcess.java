@@ -72,7 +72,7 @@ public final class MeasuredProcess {
     }
 
     /** Deletes a folder of files that processes left. */
-    static void delete(Path folder) throws IOException {
+    public static void delete(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file : files.toList()) {
                 Files.delete(file);

@@ -23,14 +23,26 @@ public final class ToPovRay {
 
     private final StringBuilder text = new StringBuilder();
     private final int shadowRayRoot;
+    private final String method;
 
-    private ToPovRay(int shadowRayRoot) {
+    private ToPovRay(int shadowRayRoot, String method) {
         this.shadowRayRoot = shadowRayRoot;
+        this.method = method;
     }
 
     /** A whole file for POV-Ray 3.7, for a square picture. */
     public static String of(Scene scene) {
-        ToPovRay translation = new ToPovRay(scene.settings().shadowRayRoot());
+        return of(scene, scene.settings().shadowRayRoot(), "jitter");
+    }
+
+    /**
+     * With other soft shadows than the scene asks for.
+     *
+     * @param shadowRayRoot N of N x N points on each wide light
+     * @param method what else POV-Ray is told about them, such as {@code jitter adaptive 1}
+     */
+    public static String of(Scene scene, int shadowRayRoot, String method) {
+        ToPovRay translation = new ToPovRay(shadowRayRoot, method);
         // POV-Ray counts the ray from the eye as the first level.
         int levels = Math.min(DEEPEST, scene.settings().maxReflections() + 1);
         translation.line("#version 3.7;");
@@ -67,7 +79,7 @@ public final class ToPovRay {
             return "";
         }
         return " area_light " + triple(new Vector(light.width(), 0, 0)) + ", " + triple(new Vector(0, light.width(), 0))
-            + ", " + shadowRayRoot + ", " + shadowRayRoot + " jitter circular orient";
+            + ", " + shadowRayRoot + ", " + shadowRayRoot + " " + method + " circular orient";
     }
 
     private void material(int number, Material material) {

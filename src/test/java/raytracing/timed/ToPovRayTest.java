@@ -50,6 +50,12 @@ class ToPovRayTest {
     }
 
     @Test
+    void itsLightsMayHaveMorePointsThanOurs() {
+        String text = ToPovRay.of(SceneText.scene(String.join("\n", SCENE)), 17, "jitter adaptive 1");
+        assertTrue(text.contains(", 17, 17 jitter adaptive 1 circular orient }"));
+    }
+
+    @Test
     void oneShadowRayNeedsNoArea() {
         String hard = String.join("\n", SCENE).replace("4 5", "1 5");
         assertTrue(translated().contains("area_light"));
