@@ -10,7 +10,7 @@ import raytracing.outline.OutlineQuery;
  * it, and of the surfaces in its beam. Not thread-safe: each thread has its own.
  */
 final class AdaptivePixel {
-    /** Where all rays meet the same things, light changes smoothly, and the error is about so much of that at an edge. */
+    /** Where all rays meet the same surfaces, light changes smoothly, and the error is about so much of that at an edge. */
     private static final double SMOOTH = 0.5;
 
     /** Rays of a pixel lie so densely that what none of them hits fills at most this over their number of it. */
@@ -37,6 +37,7 @@ final class AdaptivePixel {
     private final ScrambledNet net = new ScrambledNet();
     private final PixelMean mean = new PixelMean();
     private final Neighbourhood seen = new Neighbourhood();
+    private final Differences differences = new Differences();
     private final ErrorTally tally = new ErrorTally();
     private int blockX = -1;
     private int blockY = -1;
@@ -65,10 +66,10 @@ final class AdaptivePixel {
             tally.add(1, OF_BEND * seen.bend, seen.slope > SAME);
             return;
         }
-        boolean isSmooth = !addRays(x, y, rays, raysForOutlines > 1 ? raysToFind(ANY_CONTRAST) : 0);
+        addRays(x, y, rays, raysForOutlines > 1 ? raysToFind(ANY_CONTRAST) : 0);
         film.set(column, row, mean.red(), mean.green(), mean.blue());
         double error = mean.error();
-        tally.add(mean.rays(), isSmooth ? SMOOTH * error : error, mean.deviation() > SAME / 4);
+        tally.add(mean.rays(), differences.ofSurfaces ? error : SMOOTH * error, mean.deviation() > SAME / 4);
         if (error > limit) {
             tally.addUnfinished(error);
         }
@@ -114,34 +115,55 @@ final class AdaptivePixel {
      * Adds rays, and as many again and again, until their mean is probably within the limit, or they run out. Before that it
      * is not enough that four rays agree while they see different things, or that a known outline still hides between them.
      */
-    private boolean addRays(int x, int y, int fewest, int fewestToFindOutlines) {
+    private void addRays(int x, int y, int fewest, int fewestToFindOutlines) {
         light.beginPixel(x, y);
         net.begin(light.key());
         mean.clear();
-        boolean isOutlineFound = false;
-        boolean isSurfaceFound = false;
-        boolean isDetailFound = false;
-        long direct = 0;
-        long surfaces = 0;
-        long detail = 0;
+        differences.clear();
         for (int count = fewest;; count *= 2) {
             mean.plan(count);
             for (int i = mean.rays(); i < count; i++) {
                 net.moveTo(i);
                 MutableColor shown = light.ofRay(net.x(), net.y(), i);
                 mean.add(Film.shown(shown.red()), Film.shown(shown.green()), Film.shown(shown.blue()));
-                isOutlineFound |= i > 0 && light.directFingerprint() != direct;
-                isSurfaceFound |= i > 0 && light.fingerprint() != surfaces;
-                isDetailFound |= i > 0 && light.detailFingerprint() != detail;
-                direct = light.directFingerprint();
-                surfaces = light.fingerprint();
-                detail = light.detailFingerprint();
+                differences.add(light, i == 0);
             }
-            boolean isTooEarly = isDetailFound && count == PixelMean.FEWEST_RAYS
-                || !isOutlineFound && count < fewestToFindOutlines;
+            boolean isTooEarly = differences.ofDetail && count == PixelMean.FEWEST_RAYS
+                || !differences.ofOutline && count < fewestToFindOutlines;
             if (count == PixelMean.MOST_RAYS || !isTooEarly && mean.error() <= limit) {
-                return isSurfaceFound;
+                return;
             }
+        }
+    }
+
+    /** Whether the rays of a pixel saw different things. Not thread-safe. */
+    private static final class Differences {
+        /** In the surfaces that the rays themselves met. */
+        private boolean ofOutline;
+
+        /** In all surfaces, in mirrors too. */
+        private boolean ofSurfaces;
+
+        /** In all surfaces, or in the lights that reached them. */
+        private boolean ofDetail;
+        private long direct;
+        private long surfaces;
+        private long detail;
+
+        void clear() {
+            ofOutline = false;
+            ofSurfaces = false;
+            ofDetail = false;
+        }
+
+        /** Adds what the last ray saw; the first of a pixel differs from none. */
+        void add(PixelLight light, boolean isFirst) {
+            ofOutline |= !isFirst && light.directFingerprint() != direct;
+            ofSurfaces |= !isFirst && light.fingerprint() != surfaces;
+            ofDetail |= !isFirst && light.detailFingerprint() != detail;
+            direct = light.directFingerprint();
+            surfaces = light.fingerprint();
+            detail = light.detailFingerprint();
         }
     }
 }
