@@ -72,12 +72,6 @@ public final class Shader {
     /** Stands for the share of a wide light that is seen in part, in the hash of shadows. */
     private static final double IN_PART = 0.5;
 
-    /** A highlight with a larger exponent is sharp: it may have an edge inside a pixel. */
-    private static final double SHARPEST_WIDE = 50;
-
-    /** The square of an angle times the exponent of a highlight that has fallen to 1/512 there: 2 ln 512. */
-    private static final double VISIBLE_TURN = 20;
-
     private final Material[] materials;
     private final Light[] lights;
     private final double[] lightErrors;
@@ -197,10 +191,7 @@ public final class Shader {
         return isMirrorSeen;
     }
 
-    /**
-     * How far the mirrored directions at all points that the last rays met must turn, in radians, until a sharp highlight
-     * becomes visible or, below 0, until none is. It is infinite where no surface has one.
-     */
+    /** The least {@link Phong#sharpMargin} at all points that the last rays met; infinite where no highlight is sharp. */
     public double highlightMargin() {
         return highlightMargin;
     }
@@ -329,10 +320,7 @@ public final class Shader {
             if (!isMatte) {
                 double cosine = mirrored.dot(x, y, z) / distance;
                 highlight = Phong.highlight(light.specularIntensity(), cosine, material.phongExponent());
-                if (material.phongExponent() > SHARPEST_WIDE) {
-                    double turn = Math.sqrt(Math.max(0, 2 - 2 * cosine));
-                    highlightMargin = Math.min(highlightMargin, turn - Math.sqrt(VISIBLE_TURN / material.phongExponent()));
-                }
+                highlightMargin = Math.min(highlightMargin, Phong.sharpMargin(cosine, material.phongExponent()));
             }
             if (highlight > 0 || !diffuse.isBlack()) {
                 double share = shadows.arrivingShare(hit, light, i, lightErrors[i], CounterRandom.bits(hitKey, i));
