@@ -11,15 +11,6 @@ import raytracing.surface.Box;
  * it; a cone that does not see any of the faces is beside the box. Axes count from the eye. Not thread-safe.
  */
 final class BoxSight {
-    /**
-     * 512 u, with u = 2^-53: of the sizes that go into a length, how much it may be off. It is also far above the error
-     * within which a hit counts as being on an edge, 16 u of the way from the world's origin to the hit.
-     */
-    private static final double ROUNDING = 0x1p-44;
-
-    private static final double SHORT = 0x1p-200;
-    private static final double LONG = 0x1p200;
-
     /** Above the square root of 3, the half diagonal of a cube of half edge 1. */
     static final double HALF_DIAGONAL = 1.7320508075688776;
 
@@ -57,13 +48,11 @@ final class BoxSight {
         axis[2] = cone.axisZ;
         axis[3] = cone.axisX;
         axis[4] = cone.axisY;
-        double c = cone.cosine;
-        double s = cone.sine;
         for (int i = 0; i < 3; i++) {
             double along = axis[i];
             double across = Math.sqrt(axis[i + 1] * axis[i + 1] + axis[(i + 2) % 3] * axis[(i + 2) % 3]);
-            leasts[i] = (across * c < -along * s ? -1 : along * c - across * s) - ROUNDING;
-            mosts[i] = (across * c < along * s ? 1 : along * c + across * s) + ROUNDING;
+            leasts[i] = -cone.mostProduct(-along, across, 1) - Sight.ROUNDING;
+            mosts[i] = cone.mostProduct(along, across, 1) + Sight.ROUNDING;
         }
     }
 
@@ -74,13 +63,12 @@ final class BoxSight {
         double z = centre.z() - cone.eyeZ;
         half = box.edge() / 2;
         double size = Math.abs(x) + Math.abs(y) + Math.abs(z) + half;
-        margin = ROUNDING * (size + eyeSize) + touching;
-        if (!(half > SHORT && size < LONG)) {
+        margin = Sight.ROUNDING * (size + eyeSize) + touching;
+        if (!(half > Sight.SHORT && size < Sight.LONG)) {
             sight.setUnknown();
             return;
         }
-        double beyond = cone.across(x, y, z) * cone.cosine - cone.along(x, y, z) * cone.sine;
-        if (beyond > HALF_DIAGONAL * half + margin) {
+        if (cone.beyond(cone.along(x, y, z), cone.across(x, y, z)) > HALF_DIAGONAL * half + margin) {
             sight.cover = Cover.NONE;
             return;
         }
@@ -147,19 +135,19 @@ final class BoxSight {
         double gap = Math.abs(middle[last]) - half;
         double towards = Math.copySign(axis[last], axis[last] * middle[last]);
         boolean isCovered = isClear && towards > 0 && isInsideFace(last, gap, towards);
-        sight.set(isCovered ? Cover.ALL : Cover.SOME, (1 - ROUNDING) * from, latest(gap, least(last, middle[last])));
+        sight.set(isCovered ? Cover.ALL : Cover.SOME, (1 - Sight.ROUNDING) * from, latest(gap, least(last, middle[last])));
         setFlat(last, gap, Math.signum(middle[last]), sight);
     }
 
     /** A bound for the distance at which all rays are beyond a face's plane, given the least part of a ray towards it. */
     private double latest(double gap, double least) {
-        return least > 0 ? (1 + ROUNDING) * (gap + margin) / least : Double.POSITIVE_INFINITY;
+        return least > 0 ? (1 + Sight.ROUNDING) * (gap + margin) / least : Double.POSITIVE_INFINITY;
     }
 
     private void setFlat(int face, double gap, double sign, Sight sight) {
         double per = 1 / gap;
         sight.setFlat(face == 0 ? sign * per : 0, face == 1 ? sign * per : 0, face == 2 ? sign * per : 0,
-            per * (2 * margin * per + ROUNDING));
+            per * (2 * margin * per + Sight.ROUNDING));
     }
 
     private void testFromInside(double from, Sight sight) {
@@ -173,7 +161,7 @@ final class BoxSight {
         double towards = Math.abs(axis[first]);
         double gap = half + Math.copySign(middle[first], middle[first] * axis[first]);
         if (isInsideFace(first, gap, towards)) {
-            sight.set(Cover.ALL, (1 - ROUNDING) * Math.max(from, (gap - margin) / most(first, axis[first])),
+            sight.set(Cover.ALL, (1 - Sight.ROUNDING) * Math.max(from, (gap - margin) / most(first, axis[first])),
                 latest(gap, least(first, axis[first])));
             setFlat(first, gap, Math.signum(axis[first]), sight);
         } else {

@@ -31,6 +31,9 @@ public final class OutlineQuery {
     /** Edge of a block in pixels. */
     public static final int BLOCK = 16;
 
+    /** The most rays that a pixel is said to need. */
+    public static final int MOST_RAYS = SmallBodies.MOST;
+
     /** How often a block is halved until its squares are pixels, and until they are the smallest parts of pixels. */
     private static final int TO_PIXELS = 4;
     private static final int DIVISIONS = TO_PIXELS + 2;
@@ -409,7 +412,7 @@ public final class OutlineQuery {
         double x = flatX[i] - flatX[other];
         double y = flatY[i] - flatY[other];
         double z = flatZ[i] - flatZ[other];
-        return cone.along(x, y, z) * cone.cosine - cone.across(x, y, z) * cone.sine > error;
+        return cone.leastProduct(cone.along(x, y, z), cone.across(x, y, z)) > error;
     }
 
     /** Whether all entries cover the square and are met in the same order by all rays. */

@@ -11,10 +11,7 @@ import raytracing.surface.RayOrigin;
  * product is least and greatest on the mantle of the cone, unless the normal is inside. Not thread-safe.
  */
 final class PlaneSight {
-    /** 512 u, with u = 2^-53: products of unit vectors are off by less (proved: at most 16 roundings). */
-    private static final double ROUNDING = 0x1p-44;
-
-    /** 32 u: of the terms of a gap, how much it may be off (proved: 6 roundings, and 4 u for the length of the normal). */
+    /** 32 u, with u = 2^-53: of the terms of a gap, how much it may be off (proved: 6 roundings, and 4 u for the length of the normal). */
     private static final double GAP_ROUNDING = 0x1p-48;
 
     /** With a gap that is less certain than this, a plane has no useful flatness. */
@@ -60,25 +57,25 @@ final class PlaneSight {
         double z = normals[3 * plane + 2];
         double along = cone.along(x, y, z);
         double across = cone.across(x, y, z);
-        double most = along * cone.cosine + across * cone.sine;
-        if (most < -ROUNDING || x == 0 && y == 0 && z == 0) {
+        double mostProduct = cone.mostProduct(along, across, 1);
+        if (mostProduct < -Sight.ROUNDING || x == 0 && y == 0 && z == 0) {
             sight.cover = Cover.NONE;
             return;
         }
-        double least = along * cone.cosine - across * cone.sine - ROUNDING;
-        most = (across * cone.cosine < along * cone.sine ? 1 : most) + ROUNDING;
+        double least = cone.leastProduct(along, across) - Sight.ROUNDING;
+        double most = mostProduct + Sight.ROUNDING;
         double near = leastGaps[plane];
         double far = mostGaps[plane];
-        double from = (1 - ROUNDING) * near / most;
+        double from = (1 - Sight.ROUNDING) * near / most;
         if (least > 0) {
-            sight.set(Cover.ALL, from, (1 + ROUNDING) * far / least);
+            sight.set(Cover.ALL, from, (1 + Sight.ROUNDING) * far / least);
         } else {
             sight.set(Cover.SOME, from, Double.POSITIVE_INFINITY);
         }
         double doubt = (far - near) / near;
         if (doubt < CERTAIN) {
             double per = 1 / near;
-            sight.setFlat(x * per, y * per, z * per, per * (doubt + ROUNDING));
+            sight.setFlat(x * per, y * per, z * per, per * (doubt + Sight.ROUNDING));
         }
     }
 }

@@ -11,13 +11,6 @@ import raytracing.surface.Sphere;
  * below it. Both are compared by their sines, whose rounding is a few parts in 2^53 also for tiny angles. Not thread-safe.
  */
 final class SphereSight {
-    /** 512 u, with u = 2^-53: no length here is off by more of D + r (proved: at most 40 roundings). */
-    private static final double ROUNDING = 0x1p-44;
-
-    /** Of lengths in this range, squares and products of squares are normal numbers. */
-    private static final double SHORT = 0x1p-200;
-    private static final double LONG = 0x1p200;
-
     private final SquareCone cone;
     private final double touching;
 
@@ -34,15 +27,14 @@ final class SphereSight {
         double y = centre.y() - cone.eyeY;
         double z = centre.z() - cone.eyeZ;
         double size = Math.abs(x) + Math.abs(y) + Math.abs(z) + r;
-        if (!(r > SHORT && size < LONG)) {
+        if (!(r > Sight.SHORT && size < Sight.LONG)) {
             sight.setUnknown();
             return;
         }
         double along = cone.along(x, y, z);
         double across = cone.across(x, y, z);
-        double rounding = ROUNDING * size;
-        double beyond = across * cone.cosine - along * cone.sine;      // D sin(gamma - alpha)
-        if (beyond > r + rounding + touching) {
+        double rounding = Sight.ROUNDING * size;
+        if (cone.beyond(along, across) > r + rounding + touching) {
             sight.cover = Cover.NONE;
             return;
         }
@@ -57,23 +49,23 @@ final class SphereSight {
     }
 
     private void testFromOutside(double along, double across, double distance, double r, double rounding, Sight sight) {
-        double c = cone.cosine;
-        double s = cone.sine;
-        if (along * c + across * s < -rounding) {                      // all of the cone is over a right angle off
+        double mostProduct = cone.mostProduct(along, across, distance);
+        if (mostProduct < -rounding) {                                 // all of the cone is over a right angle off
             sight.cover = Cover.NONE;
             return;
         }
         double square = (distance - r) * (distance + r);
         double error = rounding * (distance + r);
         double tangent = Math.sqrt(square + error);                    // the longest way to a point that is seen
-        double least = along * c - across * s - rounding;              // D cos(gamma + alpha)
-        double most = (across * c < along * s ? distance : along * c + across * s) + rounding;
-        boolean isCovered = least > 0 && (across * c + along * s + rounding < r || least > tangent + rounding);
+        double least = cone.leastProduct(along, across) - rounding;    // D cos(gamma + alpha)
+        double most = mostProduct + rounding;
+        double outermost = across * cone.cosine + along * cone.sine;   // D sin(gamma + alpha)
+        boolean isCovered = least > 0 && (outermost + rounding < r || least > tangent + rounding);
         double nearest = crossing(square - error, most);
-        double from = Math.max(distance - r - rounding, Math.min(nearest, tangent - rounding) * (1 - ROUNDING));
+        double from = Math.max(distance - r - rounding, Math.min(nearest, tangent - rounding) * (1 - Sight.ROUNDING));
         double to = isCovered ? Math.min(crossing(square + error, least), tangent) : tangent;
-        sight.set(isCovered ? Cover.ALL : Cover.SOME, Math.min(from, (1 - ROUNDING) * tangent),
-            to * (1 + ROUNDING) + rounding);
+        sight.set(isCovered ? Cover.ALL : Cover.SOME, Math.min(from, (1 - Sight.ROUNDING) * tangent),
+            to * (1 + Sight.ROUNDING) + rounding);
     }
 
     /** The first crossing of a ray whose way to the point nearest to the centre is given, or that point if it passes. */
@@ -85,10 +77,11 @@ final class SphereSight {
         double c = cone.cosine;
         double s = cone.sine;
         double least = (along * c + across * s < 0 ? -distance : along * c - across * s) - rounding;
-        double most = (across * c < along * s ? distance : along * c + across * s) + rounding;
+        double most = cone.mostProduct(along, across, distance) + rounding;
         double square = (r - distance) * (r + distance);
         double error = rounding * (r + distance);
-        sight.set(Cover.ALL, exit(square - error, least) * (1 - ROUNDING), exit(square + error, most) * (1 + ROUNDING));
+        sight.set(Cover.ALL, exit(square - error, least) * (1 - Sight.ROUNDING),
+            exit(square + error, most) * (1 + Sight.ROUNDING));
     }
 
     private static double exit(double square, double way) {

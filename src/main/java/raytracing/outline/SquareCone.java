@@ -210,7 +210,7 @@ final class SquareCone {
         return k < 0 ? (1 + ROUNDING) * StrictMath.sin(-k * (Math.PI / 2)) / -k : Double.POSITIVE_INFINITY;
     }
 
-    /** The cone's part of a bound on products with its directions: the length of a vector's component along the axis. */
+    /** The length of a vector's component along the axis, below 0 if it goes back. */
     double along(double x, double y, double z) {
         return x * axisX + y * axisY + z * axisZ;
     }
@@ -221,5 +221,23 @@ final class SquareCone {
         double ay = z * axisX - x * axisZ;
         double az = x * axisY - y * axisX;
         return Math.sqrt(ax * ax + ay * ay + az * az);
+    }
+
+    /**
+     * The least product of a vector with the cone's directions, which are of length 1, given its components along and across
+     * the axis. Where this is not above 0, it may be more than the least.
+     */
+    double leastProduct(double along, double across) {
+        return along * cosine - across * sine;
+    }
+
+    /** The greatest product; a vector inside the cone has one with its own direction, which is its length. */
+    double mostProduct(double along, double across, double length) {
+        return across * cosine < along * sine ? length : along * cosine + across * sine;
+    }
+
+    /** How far the end of a vector from the eye is beyond the mantle; below 0 inside the cone. */
+    double beyond(double along, double across) {
+        return across * cosine - along * sine;
     }
 }

@@ -106,7 +106,7 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
             + "than one ray", steps(errors.error()), steps(errors.largest()), ambient, refined(drawing));
         if (errors.unfinished() > 0) {
             sentence += String.format(Locale.ROOT, ", %d of them need more than %d rays and may be off by up to %s steps",
-                errors.unfinished(), ErrorTally.rays(ErrorTally.levels() - 1), steps(errors.largestUnfinished()));
+                errors.unfinished(), ErrorTally.mostRays(), steps(errors.largestUnfinished()));
         }
         return sentence + (format.isLossy() ? ", and " + format.name().toLowerCase(Locale.ROOT) + " itself loses more" : "");
     }

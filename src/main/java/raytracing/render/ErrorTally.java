@@ -77,6 +77,11 @@ public final class ErrorTally {
         return LEVELS;
     }
 
+    /** The most rays that a pixel can get. */
+    public static int mostRays() {
+        return PixelMean.MOST_RAYS;
+    }
+
     /** How many pixels got the number of rays of a level. */
     public long pixelsAt(int level) {
         return pixels[level];

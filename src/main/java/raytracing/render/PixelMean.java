@@ -1,6 +1,7 @@
 package raytracing.render;
 
 import java.util.Arrays;
+import raytracing.outline.OutlineQuery;
 
 /**
  * The mean of what the rays of one pixel show, as it grows, and how far it may be from the pixel's true value. Rays are added
@@ -13,7 +14,7 @@ import java.util.Arrays;
 final class PixelMean {
     /** Fewest rays of a pixel that has more than one, and most. */
     static final int FEWEST_RAYS = 4;
-    static final int MOST_RAYS = 4096;
+    static final int MOST_RAYS = OutlineQuery.MOST_RAYS;
 
     /** Steps between black and white. */
     static final double STEPS = 255;

@@ -8,8 +8,8 @@ import raytracing.film.Film;
  *
  * @param film of the part, with what the first pass saw of it
  */
-record SmoothEdges(PixelGrid grid, Region part, Film film, Optional<OneRayEach> first, Progress progress, DrawingListener listener)
-    implements PixelPainter {
+record SmoothEdges(PixelGrid grid, Region part, Film film, Optional<OneRayEach> first, Progress progress,
+                   DrawingListener listener) implements PixelPainter {
     @Override
     public void paint(int x, int y, PixelLight light) {
         if (first.isEmpty() || first.get().isEdge(x, y)) {
