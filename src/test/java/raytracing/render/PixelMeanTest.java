@@ -51,7 +51,10 @@ class PixelMeanTest {
         return height > 0 ? height * height / 2 : 0;
     }
 
-    /** Every angle but those along the axes, every offset. Measured: ratios of 1.1 to 1.4, and up to 5.1 % beyond twice the error. */
+    /**
+     * Every angle but those along the axes, every offset. Measured: ratios of 1.1 to 1.4, and up to 5.1 % beyond twice the
+     * error.
+     */
     @ParameterizedTest(name = "{0} rays")
     @ValueSource(ints = {16, 64, 256, 1024})
     void atAHalfPlaneTheProbableErrorIsTheTrueOne(int rays) {
