@@ -33,7 +33,7 @@ final class PreparedRayCaster implements RayCaster {
     PreparedRayCaster(Scene written, Coherence coherence, int size) {
         PreparedScene scene = Queries.prepared(written, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         walk = new RayQuery(scene);
-        line = new SegmentQuery(scene);
+        line = new SegmentQuery(scene, 1);
         Vector eye = written.camera().position();
         List<RayRecord> fromEye = Coherence.throughPixels(written.camera(), size).stream()
             .map(direction -> new RayRecord(eye, direction)).toList();
@@ -76,6 +76,6 @@ final class PreparedRayCaster implements RayCaster {
         Vector target = targets.get(ray);
         Hit start = starts.get(ray);
         double error = PointError.written(target);
-        return line.transmittance(start, target.x(), target.y(), target.z(), error) == 0;
+        return line.transmittance(start, 0, target.x(), target.y(), target.z(), error) == 0;
     }
 }

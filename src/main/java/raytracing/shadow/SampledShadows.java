@@ -34,7 +34,7 @@ final class SampledShadows extends SoftShadows {
     }
 
     @Override
-    double meanTransmittance(ShaftQuery shaft, long key) {
-        return meanOverCells(shaft, root, key);
+    double meanTransmittance(ShaftQuery query, long key) {
+        return meanOverCells(query, root, key);
     }
 }

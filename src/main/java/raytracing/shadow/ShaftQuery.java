@@ -1,5 +1,6 @@
 package raytracing.shadow;
 
+import java.util.Arrays;
 import raytracing.hierarchy.PyramidTraversal;
 import raytracing.math.Basis;
 import raytracing.math.CounterRandom;
@@ -50,11 +51,14 @@ final class ShaftQuery {
     private boolean ownBodyIsObstacle;
     private double settledTransmittance;
 
-    /** Among many surfaces, the shaft next to a dark one is mostly dark too, which lines find out sooner. */
-    private boolean wasDark;
+    /** For each light: among many surfaces, the shaft next to a dark one is mostly dark too, which lines find out sooner. */
+    private final boolean[] wasDark;
 
-    /** A shaft that is not aimed. */
-    ShaftQuery(PreparedScene scene, Use use) {
+    /** Number of the light that the shaft leads to. */
+    private int light;
+
+    /** A shaft that is not aimed, for so many lights. */
+    ShaftQuery(PreparedScene scene, Use use, int lightCount) {
         this.scene = scene;
         this.use = use;
         usesShafts = scene.uses(Shortcut.SHADOW_SHAFTS);
@@ -63,12 +67,13 @@ final class ShaftQuery {
         boxes = new BoxObstacles(shaft, scene);
         certain = new CrossedSurfaces(scene.transmittances());
         crossed = new CrossedSurfaces(scene.transmittances());
-        segmentQuery = new SegmentQuery(scene);
+        segmentQuery = new SegmentQuery(scene, lightCount);
+        wasDark = new boolean[lightCount];
     }
 
-    /** Forgets whether the last shaft was dark, which decides how the next answer is found, and never the answer. */
-    void forgetLast() {
-        wasDark = false;
+    /** Forgets whether shafts were dark, which decides how the next answer is found, and never the answer. */
+    void forgetPast() {
+        Arrays.fill(wasDark, false);
     }
 
     /**
@@ -76,9 +81,12 @@ final class ShaftQuery {
      * method of more than 325 bytes into its callers again (DECISIONS).
      *
      * <p>Of the surface of the hit: where the whole square is above the horizon, all lines leave a body that is seen from
-     * outside. All cross one that is seen from inside and far from the light. Arguments are those of {@link Shaft#aim}.
+     * outside. All cross one that is seen from inside and far from the light. Other arguments are those of {@link Shaft#aim}.
+     *
+     * @param number of the light, from 0
      */
-    void aim(Hit hit, double lightX, double lightY, double lightZ, double error, double width) {
+    void aim(Hit hit, int number, double lightX, double lightY, double lightZ, double error, double width) {
+        light = number;
         shaft.aim(hit, lightX, lightY, lightZ, error, width);
         certain.clear();
         Surface own = scene.surface(hit.surface());
@@ -93,13 +101,13 @@ final class ShaftQuery {
             ownBodyIsObstacle = false;
             certain.add(hit.surface());
         }
-        isSorted = use == Use.AREAS || usesShafts && !(wasDark && scene.hasHierarchy());
+        isSorted = use == Use.AREAS || usesShafts && !(wasDark[light] && scene.hasHierarchy());
         if (isSorted) {
             planes.sort(use.mostObstacles, traversal, certain);
             spheres.sort(use.mostObstacles, traversal, certain);
             boxes.sort(use.mostObstacles - spheres.count, traversal, certain);
-            wasDark = certain.isDark();
-            isSorted = wasDark || spheres.count + boxes.count <= use.mostObstacles;
+            wasDark[light] = certain.isDark();
+            isSorted = certain.isDark() || spheres.count + boxes.count <= use.mostObstacles;
         }
         settledTransmittance = certain.transmittance();
     }
@@ -145,7 +153,7 @@ final class ShaftQuery {
                 sum += transmittance(x, y);
             }
         }
-        wasDark = sum == 0;
+        wasDark[light] = sum == 0;
         return sum;
     }
 
@@ -158,7 +166,7 @@ final class ShaftQuery {
      */
     double transmittance(double x, double y) {
         if (!isSorted) {
-            return segmentQuery.transmittance(shaft.hit, shaft.endX(x, y), shaft.endY(x, y), shaft.endZ(x, y),
+            return segmentQuery.transmittance(shaft.hit, light, shaft.endX(x, y), shaft.endY(x, y), shaft.endZ(x, y),
                 shaft.endError);
         }
         crossed.clear();

@@ -11,21 +11,17 @@ import raytracing.trace.SegmentQuery;
  * a part of the square is seen. Not thread-safe.
  */
 public abstract class SoftShadows {
-    /** Each light has its own lines and shaft: they remember what stopped them last. */
-    private final SegmentQuery[] lines;
-    private final ShaftQuery[] shafts;
+    /** One for all lights, as there may be many: of each light they remember no more than a few numbers. */
+    private final SegmentQuery line;
+    private final ShaftQuery shaft;
     private long queries;
     private long settled;
     private long rays;
     private long areas;
 
     SoftShadows(PreparedScene scene, ShaftQuery.Use use, int lightCount) {
-        lines = new SegmentQuery[lightCount];
-        shafts = new ShaftQuery[lightCount];
-        for (int i = 0; i < lightCount; i++) {
-            lines[i] = new SegmentQuery(scene);
-            shafts[i] = new ShaftQuery(scene, use);
-        }
+        line = new SegmentQuery(scene, lightCount);
+        shaft = new ShaftQuery(scene, use, lightCount);
     }
 
     /**
@@ -52,8 +48,7 @@ public abstract class SoftShadows {
     private double meanTransmittance(Hit hit, Light light, int number, double error, long key) {
         Vector middle = light.position();
         if (light.width() > 0 && needsShaft()) {
-            ShaftQuery shaft = shafts[number];
-            shaft.aim(hit, middle.x(), middle.y(), middle.z(), error, light.width());
+            shaft.aim(hit, number, middle.x(), middle.y(), middle.z(), error, light.width());
             if (!shaft.isNarrowerThanRounding()) {
                 if (shaft.isSettled()) {
                     settled++;
@@ -63,7 +58,7 @@ public abstract class SoftShadows {
             }
         }
         rays++;
-        return lines[number].transmittance(hit, middle.x(), middle.y(), middle.z(), error);
+        return line.transmittance(hit, number, middle.x(), middle.y(), middle.z(), error);
     }
 
     /** Whether a light's shadows have hard edges: it is a point, or one line leads to its middle. */
@@ -82,12 +77,12 @@ public abstract class SoftShadows {
     }
 
     /** The mean over the square of a shaft in which obstacles are left. */
-    abstract double meanTransmittance(ShaftQuery shaft, long key);
+    abstract double meanTransmittance(ShaftQuery query, long key);
 
     /** The mean over one line to each of root x root cells of a light's square. */
-    final double meanOverCells(ShaftQuery shaft, int root, long key) {
+    final double meanOverCells(ShaftQuery query, int root, long key) {
         rays += (long) root * root;
-        return shaft.sumOverCells(root, key) / ((double) root * root);
+        return query.sumOverCells(root, key) / ((double) root * root);
     }
 
     /** One more shadow is found by areas. */
@@ -97,9 +92,7 @@ public abstract class SoftShadows {
 
     /** Forgets the queries before, as far as they decide which answers need no ray. */
     public final void forgetPast() {
-        for (ShaftQuery shaft : shafts) {
-            shaft.forgetLast();
-        }
+        shaft.forgetPast();
     }
 
     /** How often the share of a light was needed. */

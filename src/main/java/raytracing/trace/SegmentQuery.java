@@ -16,29 +16,33 @@ public final class SegmentQuery {
     private final CrossedSurfaces crossed;
     private final RayTraversal traversal = new RayTraversal();
 
-    /** In each list, the entry of the surface that stopped the light last. */
+    /** For each target and list, the entry of the surface that stopped the light last. */
     private final int[] lastOpaque;
 
-    public SegmentQuery(PreparedScene scene) {
+    /** For segments to so many targets, such as lights; what stopped the light is remembered for each. */
+    public SegmentQuery(PreparedScene scene, int targets) {
         this.scene = scene;
         crossed = new CrossedSurfaces(scene.transmittances());
-        lastOpaque = new int[scene.lists().length];
+        lastOpaque = new int[targets * scene.lists().length];
         Arrays.fill(lastOpaque, SurfaceList.NONE);
     }
 
     /**
      * The product of the crossed surfaces' transmittances.
      *
+     * @param target number of the target that the other point belongs to, from 0
      * @param x the other point, not the hit itself, world axes
      * @param error how far each of its coordinates may be off
      * @return in [0, 1]
      */
-    public double transmittance(Hit from, double x, double y, double z, double error) {
+    public double transmittance(Hit from, int target, double x, double y, double z, double error) {
         segment.connect(from.origin(), x, y, z, error);
         crossed.clear();
         SurfaceList[] lists = scene.lists();
-        for (int i = 0; i < lists.length; i++) {
-            lastOpaque[i] = lists[i].addCrossed(segment, traversal, crossed, lastOpaque[i]);
+        int memory = target * lists.length;
+        for (SurfaceList list : lists) {
+            lastOpaque[memory] = list.addCrossed(segment, traversal, crossed, lastOpaque[memory]);
+            memory++;
         }
         if (!crossed.isDark() && scene.isOwnBodyCrossed(from, segment)) {
             crossed.add(from.surface());

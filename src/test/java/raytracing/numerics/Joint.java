@@ -41,6 +41,6 @@ record Joint(Hit point) {
 
     /** How much light comes here from a point. */
     double transmittance(PreparedScene scene, Vector end) {
-        return new SegmentQuery(scene).transmittance(point, end.x(), end.y(), end.z(), 0);
+        return new SegmentQuery(scene, 1).transmittance(point, 0, end.x(), end.y(), end.z(), 0);
     }
 }

@@ -48,8 +48,8 @@ class ExactShadowsTest {
         RayQuery walk = new RayQuery(scene);
         Queries.start(walk, ray);
         assertTrue(walk.advance());
-        ShaftQuery shaft = new ShaftQuery(scene, ShaftQuery.Use.AREAS);
-        shaft.aim(walk.hit(), light.x(), light.y(), light.z(), PointError.written(light), width);
+        ShaftQuery shaft = new ShaftQuery(scene, ShaftQuery.Use.AREAS, 1);
+        shaft.aim(walk.hit(), 0, light.x(), light.y(), light.z(), PointError.written(light), width);
         return shaft.isSettled() ? shaft.settledTransmittance() : new ExactShadows(scene, 1).meanTransmittance(shaft, 1);
     }
 

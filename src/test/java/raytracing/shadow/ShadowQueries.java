@@ -66,8 +66,8 @@ public final class ShadowQueries {
     public record Query(PreparedScene scene, HitRecord hit, Vector light, double width, String surfaces) {
         /** A shaft to the light. */
         ShaftQuery shaft(ShaftQuery.Use use) {
-            ShaftQuery shaft = new ShaftQuery(scene, use);
-            shaft.aim(hit.toHit(), light.x(), light.y(), light.z(), PointError.written(light), width);
+            ShaftQuery shaft = new ShaftQuery(scene, use, 1);
+            shaft.aim(hit.toHit(), 0, light.x(), light.y(), light.z(), PointError.written(light), width);
             return shaft;
         }
 

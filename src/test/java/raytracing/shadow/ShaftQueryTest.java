@@ -85,10 +85,10 @@ class ShaftQueryTest {
     }
 
     private void assertSameBits(PreparedScene scene, Hit point, Vector light, double width, SplittableRandom random) {
-        ShaftQuery query = new ShaftQuery(scene, ShaftQuery.Use.LINES);
-        SegmentQuery line = new SegmentQuery(scene);
+        ShaftQuery query = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
+        SegmentQuery line = new SegmentQuery(scene, 1);
         double error = PointError.written(light);
-        query.aim(point, light.x(), light.y(), light.z(), error, width);
+        query.aim(point, 0, light.x(), light.y(), light.z(), error, width);
         double first = -1;
         boolean isPartlyCovered = false;
         for (int i = 0; i < 20; i++) {
@@ -97,7 +97,7 @@ class ShaftQueryTest {
             double y = i < 9 ? (i % 3 - 1) * width / 2 : random.nextDouble(-width, width) / 2;
             double found = query.transmittance(x, y);
             Shaft shaft = query.shaft;
-            double expected = line.transmittance(point, shaft.endX(x, y), shaft.endY(x, y), shaft.endZ(x, y), error);
+            double expected = line.transmittance(point, 0, shaft.endX(x, y), shaft.endY(x, y), shaft.endZ(x, y), error);
             assertEquals(expected, found, () -> HitRecord.of(point, 0) + " to " + light + ", width " + width);
             if (query.isSettled()) {
                 assertEquals(expected, query.settledTransmittance());
@@ -249,8 +249,8 @@ class ShaftQueryTest {
 
     private static void assertSettled(double expected, PreparedScene scene) {
         Hit floor = new HitRecord(0, 0, Vector.ZERO, 0x1p-51, new Vector(0, 1, 0), Departure.OUTWARD).toHit();
-        ShaftQuery shaft = new ShaftQuery(scene, ShaftQuery.Use.LINES);
-        shaft.aim(floor, 0, 10, 0, 0x1p-48, 2);
+        ShaftQuery shaft = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
+        shaft.aim(floor, 0, 0, 10, 0, 0x1p-48, 2);
         assertTrue(shaft.isSettled());
         assertEquals(expected, shaft.settledTransmittance());
     }

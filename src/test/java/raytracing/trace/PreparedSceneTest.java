@@ -51,7 +51,7 @@ class PreparedSceneTest {
     }
 
     private static double transmittance(PreparedScene prepared, HitRecord hit, double x, double y, double z) {
-        return new SegmentQuery(prepared).transmittance(hit.toHit(), x, y, z, 0);
+        return new SegmentQuery(prepared, 1).transmittance(hit.toHit(), 0, x, y, z, 0);
     }
 
     private static List<Integer> surfaces(List<HitRecord> hits) {
