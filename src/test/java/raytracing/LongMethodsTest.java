@@ -34,7 +34,10 @@ class LongMethodsTest {
         // on purpose: most of the work on a ray or a shadow is inlined into each of these, and would be again into its callers
         Map.entry("Shader.follow", "one straight ray"),
         Map.entry("Shader.addDirectLight", "the light of all lamps at one point"),
+        Map.entry("RayQuery.advance", "one step of a ray"),
         Map.entry("ShaftQuery.aim", "all surfaces sorted for one light and point"),
+        Map.entry("ShaftQuery.findTransmittances", "up to 64 lines to one light"),
+        Map.entry("SphereObstacles$SphereObstacle.dim", "the same past one sphere"),
         Map.entry("ExactShadows.meanTransmittance", "one exact shadow"),
         Map.entry("ConvexShadows.lightPastFigure", "recursive with others, which would be inlined in each other"),
         // in one piece for readers: a call is short beside what these do

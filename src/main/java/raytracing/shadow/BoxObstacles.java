@@ -25,9 +25,41 @@ final class BoxObstacles extends Obstacles<BoxObstacles.BoxObstacle> {
 
         /** The axis of the one face from before which the lines start, or {@link #FROM_INSIDE} or {@link #UNKNOWN}. */
         private int start;
+
+        @Override
+        void dim(double passing, Shaft shaft, LightSamples samples) {
+            double[] transmittance = samples.transmittance;
+            for (int i = 0; i < samples.count; i++) {
+                if (transmittance[i] > 0 && isCrossed(shaft, shaft.segmentTo(samples.x[i], samples.y[i]))) {
+                    transmittance[i] *= passing;
+                }
+            }
+        }
+
+        private boolean isCrossed(Shaft shaft, Segment line) {
+            return switch (start) {
+                case UNKNOWN -> box.isCrossed(line, number);
+                case FROM_INSIDE -> box.isLeft(line);
+                default -> isCrossedFromFace(shaft, line);
+            };
+        }
+
+        /** For a line that starts before a face, on its plane as far as is known, and not near its edges. */
+        private boolean isCrossedFromFace(Shaft shaft, Segment line) {
+            Vector centre = box.centre();
+            double inwards = switch (start) {
+                case 0 -> Math.copySign(1, centre.x() - shaft.hit.x()) * line.dx();
+                case 1 -> Math.copySign(1, centre.y() - shaft.hit.y()) * line.dy();
+                default -> Math.copySign(1, centre.z() - shaft.hit.z()) * line.dz();
+            };
+            return Math.abs(inwards) > shaft.margin ? inwards > 0 : box.isCrossed(line, number);
+        }
     }
 
     private static final int AXES = 3;
+
+    /** Half a diagonal of a cube over its edge, rounded up. */
+    private static final double HALF_DIAGONAL = 0.8660255;
     private static final int UNKNOWN = -1;
     private static final int FROM_INSIDE = 3;
 
@@ -50,6 +82,12 @@ final class BoxObstacles extends Obstacles<BoxObstacles.BoxObstacle> {
     @Override
     BoxObstacle create() {
         return new BoxObstacle();
+    }
+
+    @Override
+    boolean isBeside(int place, NearbyShafts shafts) {
+        Box box = boxes[place];
+        return shafts.isBeside(box.centre().x(), box.centre().y(), box.centre().z(), HALF_DIAGONAL * box.edge());
     }
 
     @Override
@@ -136,34 +174,6 @@ final class BoxObstacles extends Obstacles<BoxObstacles.BoxObstacle> {
 
     private static double greatest(double x, double y, double z) {
         return Math.max(x, Math.max(y, z));
-    }
-
-    @Override
-    void addCrossed(double x, double y, CrossedSurfaces crossed) {
-        for (int i = 0; i < count && !crossed.isDark(); i++) {
-            if (isCrossed(obstacles[i], shaft.segmentTo(x, y))) {
-                crossed.add(obstacles[i].number);
-            }
-        }
-    }
-
-    private boolean isCrossed(BoxObstacle obstacle, Segment line) {
-        return switch (obstacle.start) {
-            case UNKNOWN -> obstacle.box.isCrossed(line, obstacle.number);
-            case FROM_INSIDE -> obstacle.box.isLeft(line);
-            default -> isCrossedFromFace(obstacle, line);
-        };
-    }
-
-    /** For a line that starts before a face, on its plane as far as is known, and not near its edges. */
-    private boolean isCrossedFromFace(BoxObstacle obstacle, Segment line) {
-        Vector centre = obstacle.box.centre();
-        double inwards = switch (obstacle.start) {
-            case 0 -> Math.copySign(1, centre.x() - shaft.hit.x()) * line.dx();
-            case 1 -> Math.copySign(1, centre.y() - shaft.hit.y()) * line.dy();
-            default -> Math.copySign(1, centre.z() - shaft.hit.z()) * line.dz();
-        };
-        return Math.abs(inwards) > shaft.margin ? inwards > 0 : obstacle.box.isCrossed(line, obstacle.number);
     }
 
     private void lookAt(Box box) {

@@ -21,6 +21,14 @@ abstract class Obstacles<O extends Obstacles.Obstacle> {
     abstract static class Obstacle {
         /** Of the surface in the scene. */
         int number;
+
+        /**
+         * Dims the points of the light whose lines from the hit cross the surface; dark ones are left out. Each kind has a loop
+         * of its own, so that the calls in it have a single receiver, which the virtual machine can inline.
+         *
+         * @param passing the share of light that the surface lets through
+         */
+        abstract void dim(double passing, Shaft shaft, LightSamples samples);
     }
 
     static final double ALWAYS_IN_DOUBT = Double.POSITIVE_INFINITY;
@@ -67,6 +75,30 @@ abstract class Obstacles<O extends Obstacles.Obstacle> {
         }
     }
 
+    /** The same where only some of the list are not certainly beside the shaft. */
+    final void sort(NearbyShafts.Entries some, CrossedSurfaces certain) {
+        int[] numbers = list.numbers();
+        count = 0;
+        for (int i = 0; i < some.count(); i++) {
+            int place = some.place(i);
+            sort(numbers, place, place + 1, certain);
+        }
+    }
+
+    /** Finds the surfaces of the kind that are not certainly beside some shafts, but for the one that their lines leave. */
+    final void find(NearbyShafts shafts, int surfaceLeft, NearbyShafts.Entries found) {
+        int[] numbers = list.numbers();
+        found.clear();
+        for (int i = 0; i < numbers.length; i++) {
+            if (numbers[i] != surfaceLeft && !isBeside(i, shafts)) {
+                found.add(i);
+            }
+        }
+    }
+
+    /** Whether the surface at a place of the list is certainly beside some shafts. */
+    abstract boolean isBeside(int place, NearbyShafts shafts);
+
     /** Sorts a range of the list, whose surfaces have these numbers in the scene. */
     abstract void sort(int[] numbers, int from, int to, CrossedSurfaces certain);
 
@@ -89,12 +121,6 @@ abstract class Obstacles<O extends Obstacles.Obstacle> {
     final double doubt(double error) {
         return usesOwnCoordinates ? error : ALWAYS_IN_DOUBT;
     }
-
-    /**
-     * Adds the obstacles that the line to (x, y) of the light's square crosses; may stop when no light is left. Each kind has
-     * a loop of its own, so that the calls in it have a single receiver, which the virtual machine can inline.
-     */
-    abstract void addCrossed(double x, double y, CrossedSurfaces crossed);
 
     /** Adds the shadows of all obstacles on the light's square. */
     final void addShadows(double[] transmittanceOf, ConvexShadows shadows) {

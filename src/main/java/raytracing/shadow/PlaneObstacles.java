@@ -28,6 +28,21 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
 
         /** How far gaps may be off. */
         private double doubt;
+
+        @Override
+        void dim(double passing, Shaft shaft, LightSamples samples) {
+            double[] transmittance = samples.transmittance;
+            for (int i = 0; i < samples.count; i++) {
+                if (transmittance[i] > 0) {
+                    double x = samples.x[i];
+                    double y = samples.y[i];
+                    double endGap = middleGap - (x * alongU + y * alongV);
+                    if (Math.abs(endGap) > doubt ? gap > 0 != endGap > 0 : plane.isCrossed(shaft.segmentTo(x, y), number)) {
+                        transmittance[i] *= passing;
+                    }
+                }
+            }
+        }
     }
 
     private final Plane[] planes;
@@ -40,6 +55,11 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
     @Override
     PlaneObstacle create() {
         return new PlaneObstacle();
+    }
+
+    @Override
+    boolean isBeside(int place, NearbyShafts shafts) {
+        return shafts.isBeside(planes[place]);
     }
 
     @Override
@@ -80,18 +100,6 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
         obstacle.alongU = alongU;
         obstacle.alongV = alongV;
         obstacle.doubt = obstacle.gap != 0 ? doubt(error) : ALWAYS_IN_DOUBT;
-    }
-
-    @Override
-    void addCrossed(double x, double y, CrossedSurfaces crossed) {
-        for (int i = 0; i < count && !crossed.isDark(); i++) {
-            PlaneObstacle obstacle = obstacles[i];
-            double endGap = obstacle.middleGap - (x * obstacle.alongU + y * obstacle.alongV);
-            if (Math.abs(endGap) > obstacle.doubt ? obstacle.gap > 0 != endGap > 0
-                    : obstacle.plane.isCrossed(shaft.segmentTo(x, y), obstacle.number)) {
-                crossed.add(obstacle.number);
-            }
-        }
     }
 
     /** All that is beyond the plane; nothing of a plane that the hit is on. */

@@ -3,7 +3,6 @@ package raytracing.shadow;
 import java.util.Arrays;
 import raytracing.hierarchy.PyramidTraversal;
 import raytracing.math.Basis;
-import raytracing.math.CounterRandom;
 import raytracing.surface.Body;
 import raytracing.surface.Departure;
 import raytracing.surface.Hit;
@@ -35,6 +34,45 @@ final class ShaftQuery {
         }
     }
 
+    /**
+     * For so many pairs of a light and a surface, a power of 2, the shafts near the last one are remembered. Pairs that share a
+     * place take it from each other, which only costs time.
+     */
+    private static final int NEARBY = 64;
+    private static final int LIGHTS_APART = 13;
+
+    /** The body that was hit, where some lines go through it from wall to wall. */
+    private final class OwnBody extends Obstacles.Obstacle {
+        /** How high the middle of the square is above the hit's horizon, and what each step along its axes adds. */
+        private double height;
+        private double alongU;
+        private double alongV;
+
+        /** How far heights may be off; infinite where the test in the world decides. */
+        private double doubt;
+
+        /** Whether all lines that go into the body certainly leave it. */
+        private boolean isLeftByAll;
+
+        @Override
+        void dim(double passing, Shaft ofShaft, LightSamples points) {
+            for (int i = 0; i < points.count; i++) {
+                if (points.transmittance[i] > 0 && isCrossed(points.x[i], points.y[i], ofShaft)) {
+                    points.transmittance[i] *= passing;
+                }
+            }
+        }
+
+        private boolean isCrossed(double x, double y, Shaft ofShaft) {
+            double endHeight = height + x * alongU + y * alongV;
+            boolean isClear = Math.abs(endHeight) > doubt;
+            if (isClear && (endHeight > 0 || isLeftByAll)) {
+                return endHeight < 0;
+            }
+            return scene.isOwnBodyCrossed(ofShaft.hit, ofShaft.segmentTo(x, y));
+        }
+    }
+
     final Shaft shaft = new Shaft();
     final SphereObstacles spheres;
     final PlaneObstacles planes;
@@ -43,11 +81,20 @@ final class ShaftQuery {
     private final Use use;
     private final boolean usesShafts;
     private final CrossedSurfaces certain;
-    private final CrossedSurfaces crossed;
+    private final double[] transmittanceOf;
+    private final LightSamples samples = new LightSamples();
+    private final OwnBody ownBody = new OwnBody();
+    private Obstacles.Obstacle[] transparent = new Obstacles.Obstacle[4];
+    private final Obstacles<?>[] kinds;
+
+    /** What is known of shafts near the last ones, by light and surface; empty where hierarchies find the surfaces. */
+    private final NearbyShafts[] nearby;
+
     private final SegmentQuery segmentQuery;
     private final PyramidTraversal traversal = new PyramidTraversal();
 
     private boolean isSorted;
+    private boolean isNarrowerThanRounding;
     private boolean ownBodyIsObstacle;
     private double settledTransmittance;
 
@@ -65,15 +112,23 @@ final class ShaftQuery {
         spheres = new SphereObstacles(shaft, scene);
         planes = new PlaneObstacles(shaft, scene);
         boxes = new BoxObstacles(shaft, scene);
+        kinds = new Obstacles<?>[] {planes, spheres, boxes};
         certain = new CrossedSurfaces(scene.transmittances());
-        crossed = new CrossedSurfaces(scene.transmittances());
+        transmittanceOf = scene.transmittances();
         segmentQuery = new SegmentQuery(scene, lightCount);
         wasDark = new boolean[lightCount];
+        nearby = new NearbyShafts[usesShafts && !scene.hasHierarchy() ? NEARBY : 0];
+        for (int i = 0; i < nearby.length; i++) {
+            nearby[i] = new NearbyShafts();
+        }
     }
 
-    /** Forgets whether shafts were dark, which decides how the next answer is found, and never the answer. */
+    /** Forgets earlier shafts, which decide how the next answer is found, and never the answer. */
     void forgetPast() {
         Arrays.fill(wasDark, false);
+        for (NearbyShafts shafts : nearby) {
+            shafts.clear();
+        }
     }
 
     /**
@@ -87,20 +142,64 @@ final class ShaftQuery {
      */
     void aim(Hit hit, int number, double lightX, double lightY, double lightZ, double error, double width) {
         light = number;
-        shaft.aim(hit, lightX, lightY, lightZ, error, width);
         certain.clear();
         Surface own = scene.surface(hit.surface());
+        boolean isSeenFromInside = hit.side() == Departure.INWARD;
+        int place = hit.surface() + LIGHTS_APART * light & NEARBY - 1;
+        boolean isNear = nearby.length > 0 && nearby[place].holds(light, hit);
+        if (isNear) {
+            nearby[place].find(planes, spheres, boxes);
+            if (nearby[place].areClear() && !(own instanceof Body && (isSeenFromInside || !nearby[place].isWhollySeen(hit)))) {
+                settleInLight();
+                return;
+            }
+        } else if (nearby.length > 0) {
+            nearby[place].begin(light, hit, lightX, lightY, lightZ, error, width);
+        }
+        shaft.aim(hit, lightX, lightY, lightZ, error, width);
+        isNarrowerThanRounding = shaft.isNarrowerThanRounding();
         Basis axes = shaft.axes;
         double height = hit.alongNormal(shaft.tx, shaft.ty, shaft.tz);
-        double spread = shaft.halfWidth * (Math.abs(hit.alongNormal(axes.ux(), axes.uy(), axes.uz()))
-            + Math.abs(hit.alongNormal(axes.vx(), axes.vy(), axes.vz())));
+        double alongU = hit.alongNormal(axes.ux(), axes.uy(), axes.uz());
+        double alongV = hit.alongNormal(axes.vx(), axes.vy(), axes.vz());
+        double spread = shaft.halfWidth * (Math.abs(alongU) + Math.abs(alongV));
         boolean isWhollySeen = height - spread > shaft.margin;
-        boolean isSeenFromInside = hit.side() == Departure.INWARD;
         ownBodyIsObstacle = own instanceof Body && !(isWhollySeen && !isSeenFromInside);
         if (isSeenFromInside && own instanceof Body body && shaft.endsApartFrom(body)) {
             ownBodyIsObstacle = false;
             certain.add(hit.surface());
         }
+        if (ownBodyIsObstacle) {
+            ownBody.number = hit.surface();
+            ownBody.height = height;
+            ownBody.alongU = alongU;
+            ownBody.alongV = alongV;
+            ownBody.doubt = isSeenFromInside ? Obstacles.ALWAYS_IN_DOUBT : planes.doubt(shaft.margin);
+            ownBody.isLeftByAll = shaft.endsApartFrom((Body) own);
+        }
+        if (isNear) {
+            planes.sort(nearby[place].planes, certain);
+            spheres.sort(nearby[place].spheres, certain);
+            boxes.sort(nearby[place].boxes, certain);
+            isSorted = true;
+        } else {
+            sortAll();
+        }
+        settledTransmittance = certain.transmittance();
+    }
+
+    private void settleInLight() {
+        isSorted = true;
+        isNarrowerThanRounding = false;
+        ownBodyIsObstacle = false;
+        planes.count = 0;
+        spheres.count = 0;
+        boxes.count = 0;
+        wasDark[light] = false;
+        settledTransmittance = 1;
+    }
+
+    private void sortAll() {
         isSorted = use == Use.AREAS || usesShafts && !(wasDark[light] && scene.hasHierarchy());
         if (isSorted) {
             planes.sort(use.mostObstacles, traversal, certain);
@@ -109,12 +208,11 @@ final class ShaftQuery {
             wasDark[light] = certain.isDark();
             isSorted = certain.isDark() || spheres.count + boxes.count <= use.mostObstacles;
         }
-        settledTransmittance = certain.transmittance();
     }
 
     /** Whether rounding moves the light by more than its width, so that only a line to its middle makes sense. */
     boolean isNarrowerThanRounding() {
-        return shaft.isNarrowerThanRounding();
+        return isNarrowerThanRounding;
     }
 
     /** Whether all lines cross the same surfaces, or all of them an opaque one. */
@@ -142,53 +240,67 @@ final class ShaftQuery {
      * @return sum of the transmittances of root x root lines, each in [0, 1]
      */
     double sumOverCells(int root, long key) {
-        double cell = 2 * shaft.halfWidth / root;
-        double halfRoot = root / 2.0;
+        int cells = root * root;
         double sum = 0;
-        for (int row = 0; row < root; row++) {
-            for (int column = 0; column < root; column++) {
-                long bits = CounterRandom.bits(key, (long) row * root + column);
-                double x = (column + CounterRandom.upperFraction(bits) - halfRoot) * cell;
-                double y = (row + CounterRandom.lowerFraction(bits) - halfRoot) * cell;
-                sum += transmittance(x, y);
-            }
+        for (int first = 0; first < cells; first += LightSamples.MOST) {
+            samples.place(first, Math.min(cells - first, LightSamples.MOST), root, shaft, key);
+            findTransmittances(samples);
+            sum = samples.addTo(sum);
         }
         wasDark[light] = sum == 0;
         return sum;
     }
 
     /**
-     * How much light comes through along the line to a point of the square.
-     *
-     * @param x along the square's first axis, from its middle, in scene units
-     * @param y the same along the second axis
-     * @return product of the crossed surfaces' transmittances, in [0, 1]
+     * Finds how much light comes through along the lines to points that nothing has dimmed yet. Opaque obstacles come first;
+     * then transparent ones and the surfaces that all lines cross, in the order of the scene, on which a product of rounded
+     * shares depends. Long on purpose, as {@link #aim} is.
      */
-    double transmittance(double x, double y) {
+    void findTransmittances(LightSamples points) {
         if (!isSorted) {
-            return segmentQuery.transmittance(shaft.hit, light, shaft.endX(x, y), shaft.endY(x, y), shaft.endZ(x, y),
-                shaft.endError);
+            for (int i = 0; i < points.count; i++) {
+                double x = points.x[i];
+                double y = points.y[i];
+                points.transmittance[i] = segmentQuery.transmittance(shaft.hit, light, shaft.endX(x, y), shaft.endY(x, y),
+                    shaft.endZ(x, y), shaft.endError);
+            }
+            return;
         }
-        crossed.clear();
-        if (spheres.count > 0) {
-            spheres.addCrossed(x, y, crossed);
+        int transparentCount = 0;
+        if (ownBodyIsObstacle && transmittanceOf[ownBody.number] == 0) {
+            ownBody.dim(0, shaft, points);
+        } else if (ownBodyIsObstacle) {
+            transparent[transparentCount++] = ownBody;
         }
-        if (planes.count > 0) {
-            planes.addCrossed(x, y, crossed);
+        for (Obstacles<?> kind : kinds) {
+            for (int i = 0; i < kind.count; i++) {
+                Obstacles.Obstacle obstacle = kind.obstacles[i];
+                if (transmittanceOf[obstacle.number] == 0) {
+                    obstacle.dim(0, shaft, points);
+                    continue;
+                }
+                if (transparentCount == transparent.length) {
+                    transparent = Arrays.copyOf(transparent, 2 * transparentCount);
+                }
+                int at = transparentCount++;
+                while (at > 0 && transparent[at - 1].number > obstacle.number) {
+                    transparent[at] = transparent[at - 1];
+                    at--;
+                }
+                transparent[at] = obstacle;
+            }
         }
-        if (boxes.count > 0) {
-            boxes.addCrossed(x, y, crossed);
+        int passed = 0;
+        for (int i = 0; i <= transparentCount; i++) {
+            int number = i < transparentCount ? transparent[i].number : Integer.MAX_VALUE;
+            while (passed < certain.count() && certain.number(passed) < number) {
+                points.dimAll(transmittanceOf[certain.number(passed)]);
+                passed++;
+            }
+            if (i < transparentCount) {
+                transparent[i].dim(transmittanceOf[number], shaft, points);
+            }
         }
-        if (ownBodyIsObstacle && !crossed.isDark() && scene.isOwnBodyCrossed(shaft.hit, shaft.segmentTo(x, y))) {
-            crossed.add(shaft.hit.surface());
-        }
-        if (crossed.isEmpty()) {
-            return settledTransmittance;
-        }
-        if (!crossed.isDark()) {
-            crossed.addAll(certain);
-        }
-        return crossed.transmittance();
     }
 
     /** Whether the body that was hit hides some of the square. */

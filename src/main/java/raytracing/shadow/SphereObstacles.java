@@ -31,14 +31,83 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
         /** The squared way to the centre less the squared radius. */
         private double power;
 
-        /** The error of the line's test; infinite where the test in the world decides. */
-        private double doubt;
+        /** How the hit and the square lie to the sphere, which decides how lines are tested. */
+        private Place place;
 
-        /** Of a sphere that the hit touches, 1 if it does so from outside and -1 from inside; {@link #UNKNOWN} of others. */
-        private int side;
+        /** The error of a line's test, and of its end's; infinite where the test in the world decides. */
+        private double doubt;
+        private double endDoubt;
+
+        /**
+         * Dims by the shaft's coordinates where these decide. In one piece, with a loop for the most frequent place: the
+         * virtual machine does not compile a method of more than 325 bytes into its callers again (DECISIONS).
+         */
+        @Override
+        void dim(double passing, Shaft shaft, LightSamples samples) {
+            double[] transmittance = samples.transmittance;
+            if (place == Place.BETWEEN) {
+                for (int i = 0; i < samples.count; i++) {
+                    if (transmittance[i] > 0) {
+                        double x = samples.x[i];
+                        double y = samples.y[i];
+                        double product = x * across + y * up + ahead;
+                        double inside = product * product - power * samples.squaredDistance[i];
+                        if (Math.abs(inside) > doubt ? inside > 0 && product > 0 : isCrossed(shaft.segmentTo(x, y))) {
+                            transmittance[i] *= passing;
+                        }
+                    }
+                }
+                return;
+            }
+            for (int i = 0; i < samples.count; i++) {
+                if (transmittance[i] > 0) {
+                    double x = samples.x[i];
+                    double y = samples.y[i];
+                    double squaredLength = samples.squaredDistance[i];
+                    double product = x * across + y * up + ahead;
+                    double inside = product * product - power * squaredLength;
+                    double endPower = squaredLength - 2 * product + power;
+                    boolean isEndClear = Math.abs(endPower) > endDoubt;
+                    boolean isCrossed;
+                    if (place == Place.AROUND_THE_HIT && isEndClear) {
+                        isCrossed = endPower > 0;
+                    } else if (place == Place.TOUCHED_FROM_OUTSIDE && Math.abs(product) > doubt) {
+                        isCrossed = product > 0;
+                    } else if (place == Place.REACHING_BEYOND && isEndClear && endPower < 0) {
+                        isCrossed = true;
+                    } else if (place == Place.REACHING_BEYOND && isEndClear && Math.abs(inside) > doubt) {
+                        isCrossed = inside > 0 && product > 0 && product < squaredLength;
+                    } else {
+                        isCrossed = isCrossed(shaft.segmentTo(x, y));
+                    }
+                    if (isCrossed) {
+                        transmittance[i] *= passing;
+                    }
+                }
+            }
+        }
+
+        /** By the world's coordinates. */
+        private boolean isCrossed(Segment line) {
+            return place == Place.TOUCHED_FROM_INSIDE ? sphere.isLeft(line) : sphere.isCrossed(line, number);
+        }
     }
 
-    private static final int UNKNOWN = 0;
+    /** Where a sphere is that some lines may cross and others not. */
+    private enum Place {
+        /** The hit is outside, and the sphere ends before the plane of the square. */
+        BETWEEN,
+
+        /** The hit is outside, and the sphere reaches into that plane or beyond: it may hold ends of lines. */
+        REACHING_BEYOND,
+
+        AROUND_THE_HIT,
+        TOUCHED_FROM_OUTSIDE,
+        TOUCHED_FROM_INSIDE,
+
+        /** Rounding leaves the side of the hit open. */
+        UNKNOWN
+    }
 
     /** 64 u, with u = 2^-53: axes that are off by 8 ulp, twice, and what rounding takes from the squares. */
     private static final double POWER_ERROR = 0x1p-47;
@@ -53,6 +122,12 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
     @Override
     SphereObstacle create() {
         return new SphereObstacle();
+    }
+
+    @Override
+    boolean isBeside(int place, NearbyShafts shafts) {
+        Sphere sphere = spheres[place];
+        return shafts.isBeside(sphere.centre().x(), sphere.centre().y(), sphere.centre().z(), sphere.radius());
     }
 
     @Override
@@ -103,9 +178,8 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
             if (hidesSquare(mx, my, mz, squaredDistance, shrunk)) {
                 certain.add(number);
             } else {
-                double error = squaredDistance * shaft.cornerDistance
-                    * (Shaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin);
-                add(sphere, number, mx, my, mz, power, doubt(error), UNKNOWN);
+                double error = errorBeside(squaredDistance);
+                add(sphere, number, mx, my, mz, power, Place.BETWEEN, doubt(error), ALWAYS_IN_DOUBT);
             }
             return;
         }
@@ -115,25 +189,43 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
         if (isOutside && containsSquare || isInside && squaredBeside(mx, my) + gap * gap > grown * grown) {
             certain.add(number);
         } else if (!(isInside && containsSquare)) {
-            // certainly on the wall, within the hit's error
-            boolean touches = Math.abs(power) + POWER_ERROR * squaredDistance
-                <= 2 * shaft.hit.error() * Math.sqrt(squaredDistance);
-            double error = grown * (Shaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin)
-                + slack * shaft.cornerDistance;
-            int side = touches ? sphere.side(shaft.hit.origin(), number) : UNKNOWN;
-            add(sphere, number, mx, my, mz, power, side > 0 ? doubt(error) : ALWAYS_IN_DOUBT, side);
+            Place place = isOutside ? Place.REACHING_BEYOND : isInside ? Place.AROUND_THE_HIT
+                : touchedPlace(sphere, number, squaredDistance, power);
+            double error = place == Place.TOUCHED_FROM_OUTSIDE
+                ? grown * (Shaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin) + slack * shaft.cornerDistance
+                : errorBeside(squaredDistance);
+            // an end that rounding may put on the wall has a power of at most slack (2 r + slack), which is rounded itself
+            double endError = 4 * slack * grown
+                + Shaft.ROUNDING * (squaredDistance + shaft.cornerDistance * shaft.cornerDistance);
+            add(sphere, number, mx, my, mz, power, place, doubt(error), doubt(endError));
         }
     }
 
-    private void add(Sphere sphere, int number, double mx, double my, double mz, double power, double doubt, int side) {
+    /** The error of the test whether a line comes as near to the centre as the sphere is large. */
+    private double errorBeside(double squaredDistance) {
+        return squaredDistance * shaft.cornerDistance * (Shaft.ROUNDING * shaft.cornerDistance + 4 * shaft.margin);
+    }
+
+    /** For a hit that may be on the wall: if it certainly is, within its error, exact numbers tell the side. */
+    private Place touchedPlace(Sphere sphere, int number, double squaredDistance, double power) {
+        if (Math.abs(power) + POWER_ERROR * squaredDistance > 2 * shaft.hit.error() * Math.sqrt(squaredDistance)) {
+            return Place.UNKNOWN;
+        }
+        int side = sphere.side(shaft.hit.origin(), number);
+        return side > 0 ? Place.TOUCHED_FROM_OUTSIDE : side < 0 ? Place.TOUCHED_FROM_INSIDE : Place.UNKNOWN;
+    }
+
+    private void add(Sphere sphere, int number, double mx, double my, double mz, double power, Place place, double doubt,
+                     double endDoubt) {
         SphereObstacle obstacle = add(number);
         obstacle.sphere = sphere;
         obstacle.across = mx;
         obstacle.up = my;
         obstacle.ahead = mz * shaft.depth;
         obstacle.power = power;
+        obstacle.place = place;
         obstacle.doubt = doubt;
-        obstacle.side = side;
+        obstacle.endDoubt = endDoubt;
     }
 
     /** For a sphere between hit and square: whether it is met on the way to all four corners, and so on all ways. */
@@ -156,23 +248,6 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
         double farX = Math.abs(mx) + shaft.halfWidth;
         double farY = Math.abs(my) + shaft.halfWidth;
         return farX * farX + farY * farY;
-    }
-
-    @Override
-    void addCrossed(double x, double y, CrossedSurfaces crossed) {
-        double squaredLength = x * x + y * y + shaft.depth * shaft.depth;
-        for (int i = 0; i < count && !crossed.isDark(); i++) {
-            SphereObstacle obstacle = obstacles[i];
-            double product = x * obstacle.across + y * obstacle.up + obstacle.ahead;
-            double inside = obstacle.side == UNKNOWN ? product * product - obstacle.power * squaredLength : product;
-            if (Math.abs(inside) > obstacle.doubt ? inside > 0 && product > 0 : isCrossed(obstacle, shaft.segmentTo(x, y))) {
-                crossed.add(obstacle.number);
-            }
-        }
-    }
-
-    private static boolean isCrossed(SphereObstacle obstacle, Segment line) {
-        return obstacle.side < 0 ? obstacle.sphere.isLeft(line) : obstacle.sphere.isCrossed(line, obstacle.number);
     }
 
     @Override

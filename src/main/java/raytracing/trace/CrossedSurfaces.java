@@ -22,15 +22,14 @@ public final class CrossedSurfaces {
         isDark = false;
     }
 
-    public boolean isEmpty() {
-        return count == 0 && !isDark;
+    /** How many transparent surfaces were crossed. */
+    public int count() {
+        return count;
     }
 
-    public void addAll(CrossedSurfaces others) {
-        for (int i = 0; i < others.count; i++) {
-            add(others.numbers[i]);
-        }
-        isDark |= others.isDark;
+    /** The number of one of them; they are in the order of the scene, and i is from 0 to before the count. */
+    public int number(int i) {
+        return numbers[i];
     }
 
     public void add(int number) {

@@ -42,7 +42,8 @@ public final class RayQuery {
     /**
      * Goes on to the next surface: the first at the first call, then the one after that. Few surfaces are tested once for
      * their first crossing; if the query goes on, once more for all their crossings. With many, each step searches the
-     * hierarchies for one crossing, as most surfaces lie behind the next.
+     * hierarchies for one crossing, as most surfaces lie behind the next. Long on purpose: the virtual machine does not compile
+     * a method of more than 325 bytes into its callers again (DECISIONS).
      *
      * @return false if the ray meets no further surface
      */
@@ -57,7 +58,13 @@ public final class RayQuery {
             crossings.findFurther();
         }
         if (!knowsTheRest) {
-            offerCrossings();
+            for (SurfaceList list : scene.lists()) {
+                list.offerCrossings(ray, traversal, crossings);
+            }
+            RayOrigin origin = ray.origin();
+            if (origin.side() == Departure.INWARD && scene.surface(origin.surface()) instanceof Body body) {
+                crossings.offer(body.farWall(ray), origin.surface());
+            }
         }
         if (crossings.keepsAll()) {
             crossings.advance();
@@ -65,34 +72,19 @@ public final class RayQuery {
         if (crossings.isMiss()) {
             return false;
         }
-        surface = scene.surface(crossings.surface());
-        surface.describe(ray, crossings.surface(), crossings.distance(), hit);
+        int number = crossings.surface();
+        surface = scene.surface(number);
+        surface.describe(ray, number, crossings.distance(), hit);
         if (surface instanceof Box box && hit.side() == Departure.OUTWARD) {
-            chooseFace(box);
+            // where boxes touch, a ray may meet the edge of one whose side is hidden by the next: what is seen there is a face
+            // whose plane is that of a face of the others, too
+            int faces = box.facesEntered(hit.origin(), ray);
+            if (Integer.bitCount(faces) > 1) {
+                int shared = scene.boxes().sharedFaces(faces, hit.origin(), ray, traversal);
+                box.describeOnFaces(shared, ray, number, crossings.distance(), hit);
+            }
         }
         return true;
-    }
-
-    private void offerCrossings() {
-        for (SurfaceList list : scene.lists()) {
-            list.offerCrossings(ray, traversal, crossings);
-        }
-        RayOrigin origin = ray.origin();
-        if (origin.side() == Departure.INWARD && scene.surface(origin.surface()) instanceof Body body) {
-            crossings.offer(body.farWall(ray), origin.surface());
-        }
-    }
-
-    /**
-     * Where boxes touch, a ray may meet the edge of one whose side is hidden by the next: what is seen there is a face
-     * whose plane is that of a face of the others, too.
-     */
-    private void chooseFace(Box box) {
-        int faces = box.facesEntered(hit.origin(), ray);
-        if (Integer.bitCount(faces) > 1) {
-            int shared = scene.boxes().sharedFaces(faces, hit.origin(), ray, traversal);
-            box.describeOnFaces(shared, ray, crossings.surface(), crossings.distance(), hit);
-        }
     }
 
     /** The ray, to be set before {@link #begin}. */

@@ -77,6 +77,18 @@ public final class ShadowQueries {
         }
     }
 
+    /** What comes through along the line to one point of the light's square, of a shaft that is not settled. */
+    static double transmittance(ShaftQuery shaft, double x, double y) {
+        LightSamples point = new LightSamples();
+        point.x[0] = x;
+        point.y[0] = y;
+        point.squaredDistance[0] = x * x + y * y + shaft.shaft.depth * shaft.shaft.depth;
+        point.transmittance[0] = 1;
+        point.count = 1;
+        shaft.findTransmittances(point);
+        return point.transmittance[0];
+    }
+
     private PreparedScene prepared(String surfaces) {
         return Queries.prepared(SceneText.scene(head + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
     }
@@ -105,7 +117,7 @@ public final class ShadowQueries {
         if (shaft.isSettled()) {
             return false;
         }
-        double first = shaft.transmittance(0, 0);
+        double first = transmittance(shaft, 0, 0);
         double sum = shaft.sumOverCells(ROOT_OF_FIRST_LOOK, random.nextLong());
         return Math.abs(sum - first * ROOT_OF_FIRST_LOOK * ROOT_OF_FIRST_LOOK) > 1e-9;
     }
