@@ -14,7 +14,7 @@ import raytracing.timed.ProcessCost;
  */
 public final class MeasuredProcess {
     private static final double NANOSECONDS = 1e9;
-    private static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
+    static final Path JAR = Path.of("build", "libs", "RayTracer.jar");
     private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
     private static final boolean GNU_TIME = isGnuTimeThere();
 
