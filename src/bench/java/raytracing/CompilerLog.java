@@ -77,7 +77,7 @@ public record CompilerLog(List<Compilation> compilations, List<Trap> traps, Map<
         private final XMLStreamReader xml;
         private final List<Compilation> compilations = new ArrayList<>();
         private final List<Trap> traps = new ArrayList<>();
-        private final Map<String, Integer> discarded = new TreeMap<>();
+        private final List<String> discardedCode = new ArrayList<>();
         private final Map<String, String> methodOfCode = new HashMap<>();
         private final Map<String, String> classes = new HashMap<>();
         private final Map<String, String> methods = new HashMap<>();
@@ -102,6 +102,9 @@ public record CompilerLog(List<Compilation> compilations, List<Trap> traps, Map<
                     parsed.pop();
                 }
             }
+            // compilers write their part of the log at the end, after what happened to their code
+            Map<String, Integer> discarded = new TreeMap<>();
+            discardedCode.forEach(id -> discarded.merge(methodOfCode.getOrDefault(id, "?"), 1, Integer::sum));
             return new CompilerLog(compilations, traps, discarded);
         }
 
@@ -146,7 +149,7 @@ public record CompilerLog(List<Compilation> compilations, List<Trap> traps, Map<
                 }
                 case "make_not_entrant" -> {
                     if (number(attributes, "level") == OPTIMISED) {
-                        discarded.merge(methodOfCode.getOrDefault(attributes.get("compile_id"), "?"), 1, Integer::sum);
+                        discardedCode.add(attributes.get("compile_id"));
                     }
                 }
                 default -> {

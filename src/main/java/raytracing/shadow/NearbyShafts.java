@@ -94,24 +94,25 @@ final class NearbyShafts {
         squaredSpread = isUseful ? SPREAD * depth * (SPREAD * depth) : -1;
     }
 
-    /** Finds the surfaces of the scene that are not certainly beside all shafts, unless they are known already. */
-    void find(PlaneObstacles ofPlanes, SphereObstacles ofSpheres, BoxObstacles ofBoxes) {
-        if (!isKnown) {
-            turn();
-            ofPlanes.find(this, surface, planes);
-            ofSpheres.find(this, surface, spheres);
-            ofBoxes.find(this, surface, boxes);
+    /**
+     * Whether the surfaces that are not certainly beside all shafts are known. If not, they are to be asked for by
+     * {@link #isBeside} and added to {@link #planes}, {@link #spheres} and {@link #boxes} now.
+     */
+    boolean areKnown() {
+        if (isKnown) {
+            return true;
         }
-    }
-
-    private void turn() {
         isKnown = true;
+        planes.clear();
+        spheres.clear();
+        boxes.clear();
         wx = (lightX - x) / depth;
         wy = (lightY - y) / depth;
         wz = (lightZ - z) / depth;
         pointRadius = SPREAD * depth + margin;
         slope = (lightRadius - pointRadius) / depth;
         cosine = Math.sqrt(1 - slope * slope);
+        return false;
     }
 
     /** Whether all surfaces but that of the points are beside all shafts. */

@@ -88,7 +88,6 @@ abstract class Obstacles<O extends Obstacles.Obstacle> {
     /** Finds the surfaces of the kind that are not certainly beside some shafts, but for the one that their lines leave. */
     final void find(NearbyShafts shafts, int surfaceLeft, NearbyShafts.Entries found) {
         int[] numbers = list.numbers();
-        found.clear();
         for (int i = 0; i < numbers.length; i++) {
             if (numbers[i] != surfaceLeft && !isBeside(i, shafts)) {
                 found.add(i);

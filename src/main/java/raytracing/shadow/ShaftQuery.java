@@ -148,7 +148,7 @@ final class ShaftQuery {
         int place = hit.surface() + LIGHTS_APART * light & NEARBY - 1;
         boolean isNear = nearby.length > 0 && nearby[place].holds(light, hit);
         if (isNear) {
-            nearby[place].find(planes, spheres, boxes);
+            find(nearby[place], hit.surface());
             if (nearby[place].areClear() && !(own instanceof Body && (isSeenFromInside || !nearby[place].isWhollySeen(hit)))) {
                 settleInLight();
                 return;
@@ -186,6 +186,14 @@ final class ShaftQuery {
             sortAll();
         }
         settledTransmittance = certain.transmittance();
+    }
+
+    private void find(NearbyShafts shafts, int surfaceLeft) {
+        if (!shafts.areKnown()) {
+            planes.find(shafts, surfaceLeft, shafts.planes);
+            spheres.find(shafts, surfaceLeft, shafts.spheres);
+            boxes.find(shafts, surfaceLeft, shafts.boxes);
+        }
     }
 
     private void settleInLight() {
