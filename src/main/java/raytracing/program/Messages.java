@@ -76,7 +76,7 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
     }
 
     private boolean isWhole() {
-        return settings.region().equals(Region.whole(settings.width(), settings.height()));
+        return settings.region().pixelCount() == (long) settings.width() * settings.height();
     }
 
     private String pixels() {

@@ -138,7 +138,7 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
 
     @Override
     public boolean isInPlaceOf(Surface other) {
-        return other instanceof Plane plane && offset == plane.offset && normal.equals(plane.normal);
+        return other instanceof Plane plane && offset == plane.offset && normal.isSameAs(plane.normal);
     }
 
     /** The point along the ray is dropped onto the plane: from far away, rounding leaves it beside. */

@@ -475,7 +475,7 @@ public record Sphere(Vector centre, double radius, int material) implements Body
 
     @Override
     public boolean isInPlaceOf(Surface other) {
-        return other instanceof Sphere sphere && radius == sphere.radius && centre.equals(sphere.centre);
+        return other instanceof Sphere sphere && radius == sphere.radius && centre.isSameAs(sphere.centre);
     }
 
     /**
