@@ -51,27 +51,33 @@ final class PngEncoder implements Encoder {
 
     private void writePixels(Deflater deflater, OutputStream file) throws IOException {
         int[] pixels = new int[width];
-        ByteBuffer row = ByteBuffer.allocate(1 + (isTransparent ? 4 : 3) * width);
+        byte[] row = new byte[1 + (isTransparent ? 4 : 3) * width];
         begin(PngChunk.PIXELS);
         for (int y = 0; y < height; y++) {
             rows.read(y, pixels);
             fill(row, pixels, y);
-            deflater.setInput(row.array());
+            deflater.setInput(row);
             deflate(deflater, file);
         }
         deflater.finish();
         deflate(deflater, file);
-        end(file);
+        if (chunk.position() > PngChunk.START_LENGTH) {
+            end(file);
+        }
     }
 
-    /** The bytes of a row: 0 for no filter, then its pixels. */
-    private void fill(ByteBuffer row, int[] pixels, int y) {
-        row.clear().put((byte) 0);
+    /** Fills in the bytes of a row after the first, which is 0 as there is no filter. */
+    private void fill(byte[] row, int[] pixels, int y) {
+        int i = 1;
         for (int x = 0; x < width; x++) {
-            int pixel = isTransparent && rows.isGap(x, y) ? 0 : pixels[x];
-            row.put((byte) (pixel >> 16)).put((byte) (pixel >> 8)).put((byte) pixel);
+            boolean isGap = isTransparent && rows.isGap(x, y);
+            int pixel = isGap ? 0 : pixels[x];
+            row[i] = (byte) (pixel >> 16);
+            row[i + 1] = (byte) (pixel >> 8);
+            row[i + 2] = (byte) pixel;
+            i += 3;
             if (isTransparent) {
-                row.put((byte) (rows.isGap(x, y) ? 0 : 0xff));
+                row[i++] = (byte) (isGap ? 0 : 0xff);
             }
         }
     }

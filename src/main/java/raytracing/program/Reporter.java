@@ -96,8 +96,8 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
 
     /**
      * Refuses an output that cannot become a picture file, and what cannot be compared with it; else begins to load what
-     * writes the file, in the thread returned, if that takes a while. The picture to compare with is read before, as it needs some of the same
-     * classes of Java.
+     * writes the file, in the thread returned, if that takes a while. The picture to compare with is read before, as it
+     * needs some of the same classes of Java.
      */
     Optional<Thread> prepareOutput() throws RayTracerException, IOException {
         Optional<String> obstacle;
