@@ -175,7 +175,7 @@ public final class RayTracer {
             return Optional.empty();
         }
         return Optional.of(ModuleLayer.boot().findModule("java.desktop").isEmpty()
-            ? "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
+            ? "this Java has no java.desktop, which jpg, gif, windows and --compare need; a whole Java runtime has it"
             : "a part of Java or of the program cannot be loaded (" + cause
                 + "); if none was replaced now, install both again");
     }

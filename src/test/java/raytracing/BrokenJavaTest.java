@@ -35,12 +35,23 @@ class BrokenJavaTest {
         }
     }
 
-    @Test
-    void aJavaWithoutPicturesIsSaid() throws Exception {
-        Program program = Program.run(Program.JAVA_HOME, List.of("--limit-modules", "java.base"), folder,
-            "scene.txt", "out.png", "8", "4");
-        assertEquals(new Program(1, "", "this Java has no java.desktop, which makes picture files; a whole Java runtime has it"
-            + System.lineSeparator()), program);
+    private Program runWithoutPictures(String output) throws Exception {
+        return Program.run(Program.JAVA_HOME, List.of("--limit-modules", "java.base"), folder,
+            "scene.txt", output, "8", "4", "--quiet");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"jpg", "gif"})
+    void aJavaWithoutPicturesIsSaid(String ending) throws Exception {
+        assertEquals(new Program(1, "", "this Java has no java.desktop, which jpg, gif, windows and --compare need; "
+            + "a whole Java runtime has it" + System.lineSeparator()), runWithoutPictures("out." + ending));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "bmp"})
+    void aJavaWithoutPicturesIsEnoughForPicturesWithoutLoss(String ending) throws Exception {
+        assertEquals(new Program(0, "", ""), runWithoutPictures("out." + ending));
+        assertTrue(Files.exists(folder.resolve("out." + ending)));
     }
 
     /** All zeros instead of what is not loaded yet, while the program waits for its scene. */

@@ -94,6 +94,14 @@ class ReadmeCommandsTest {
     }
 
     @Test
+    void theCommandsForManySmallPicturesDrawThem() throws Exception {
+        linkJar();
+        run(block("many small pictures"), "\"$JAVA\" -jar \"$JAR\" scenes/ball.txt expected.png --quiet");
+        assertEquals(-1, Files.mismatch(folder.resolve("expected.png"), folder.resolve("ball.png")));
+        assertTrue(Files.exists(folder.resolve("RayTracer.jsa")));
+    }
+
+    @Test
     void theComparisonPrintsWhatTheReadmeSays() throws Exception {
         linkJar();
         Matcher printed = Pattern.compile("<!-- printed by --compare -->\\R    (.*)").matcher(readme());

@@ -106,4 +106,10 @@ class RoomsTest {
             call -> call.getTargetOwner().isEquivalentTo(Math.class) && List.of("sin", "cos", "tan", "asin", "acos",
                 "atan", "atan2", "exp", "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot", "sinh", "cosh",
                 "tanh", "random").contains(call.getName())));
+
+    /** Math.fma is computed in decimals where the processor has no such operation. */
+    @ArchTest
+    static final ArchRule fusedAloneCallsFma = noClasses().that().doNotHaveSimpleName("Fused").should()
+        .callMethodWhere(DescribedPredicate.describe("Math.fma",
+            call -> call.getTargetOwner().isEquivalentTo(Math.class) && call.getName().equals("fma")));
 }

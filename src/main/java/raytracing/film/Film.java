@@ -15,7 +15,6 @@ public final class Film implements Bands {
 
     private static final int CHANNELS = 3;
     private static final int FULL = 255;
-    private static final int OPAQUE = 0xff000000;
 
     private final int width;
     private final int height;
@@ -110,34 +109,27 @@ public final class Film implements Bands {
      * to [0, 1] and rounded to the nearest of 0/255 to 255/255, ties upwards.
      */
     public BufferedImage toImage() {
-        return toImage(BufferedImage.TYPE_INT_RGB);
-    }
-
-    /** The same picture of a type; with {@link BufferedImage#TYPE_INT_ARGB}, its gaps are transparent black. */
-    BufferedImage toImage(int type) {
-        BufferedImage image = new BufferedImage(width, height, type);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         paint(image, 0);
         return image;
     }
 
-    /** Copies all rows into an image of the same width, from its row {@code top} on; with gaps as {@link #toImage(int)}. */
+    /** Copies all rows into an image of this type and width, from its row {@code top} on. */
     void paint(BufferedImage image, int top) {
         WritableRaster pixels = image.getRaster();   // copies rows; the image itself would convert pixel by pixel
-        boolean showsGaps = image.getType() == BufferedImage.TYPE_INT_ARGB;
         int[] row = new int[width];
         for (int y = 0; y < height; y++) {
             encodeRow(y, row);
-            for (int x = 0; x < width && showsGaps; x++) {
-                row[x] = isGap(x, y) ? 0 : OPAQUE | row[x];
-            }
             pixels.setDataElements(0, top + y, width, 1, row);
         }
     }
 
     /** Writes a row of the picture into an array, each pixel as {@link #encoded(int, int)}. */
     void encodeRow(int y, int[] row) {
+        int i = CHANNELS * y * width;
         for (int x = 0; x < width; x++) {
-            row[x] = encoded(x, y);
+            row[x] = encoded(light[i], light[i + 1], light[i + 2]);
+            i += CHANNELS;
         }
     }
 
@@ -148,7 +140,11 @@ public final class Film implements Bands {
 
     /** The pixel of a picture for some linear light: 8 bits each of red, green and blue, blue lowest. */
     public static int encoded(Color light) {
-        return encoded(light.red()) << 16 | encoded(light.green()) << 8 | encoded(light.blue());
+        return encoded(light.red(), light.green(), light.blue());
+    }
+
+    private static int encoded(double red, double green, double blue) {
+        return encoded(red) << 16 | encoded(green) << 8 | encoded(blue);
     }
 
     private static int encoded(double channel) {

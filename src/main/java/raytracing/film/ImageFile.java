@@ -1,7 +1,5 @@
 package raytracing.film;
 
-import java.awt.image.BufferedImage;
-import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
@@ -15,18 +13,12 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import java.util.Optional;
-import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
 
 /**
  * A picture file that appears under its name complete or not at all: it is written in the same folder under another name,
  * and renamed when complete. An older file stays until then, and the new one takes over its mode, group and owner.
  */
 public final class ImageFile {
-    private static final float JPEG_QUALITY = 0.95f;
     private static final String UNFINISHED = ".unfinished-picture-";
 
     private final Path name;
@@ -124,26 +116,12 @@ public final class ImageFile {
     }
 
     /**
-     * Starts a thread that loads the classes that {@link #write} will need: in a cold virtual machine that takes some 90 ms,
-     * most of the time for writing a small picture. Writes nothing. An error here occurs again when the picture is written,
-     * and is reported then.
+     * Begins to load what {@link #write} will need, if that takes a while: the classes of Java for jpg and gif.
      *
-     * @return the thread, for callers that must not load Java's picture classes at the same time
+     * @return the thread that loads them, for callers that must not load Java's picture classes at the same time
      */
-    public Thread prepare() {
-        Thread thread = new Thread("encoder") {
-            @Override
-            public void run() {
-                try {
-                    encode(new Film(1, 1).toImage(), OutputStream.nullOutputStream());
-                } catch (IOException | RuntimeException | Error reportedByWrite) {
-                    // only the time saved is lost
-                }
-            }
-        };
-        thread.setDaemon(true);
-        thread.start();
-        return thread;
+    public Optional<Thread> prepare() {
+        return format.isLossy() ? Optional.of(ImageIoEncoder.load(format)) : Optional.empty();
     }
 
     /**
@@ -154,12 +132,12 @@ public final class ImageFile {
      * @throws IOException if it cannot be written; an older file is then still there
      */
     public void write(Bands bands) throws IOException {
-        RenderedImage image = image(bands);
+        Encoder encoder = encoder(bands);
         Path unfinished = unfinished();
         unfinished.toFile().deleteOnExit();  // also when a signal ends the program while it writes
         try {
             try (OutputStream stream = created(unfinished)) {
-                encode(image, stream);
+                encoder.writeTo(stream);
             }
             Files.move(unfinished, path, StandardCopyOption.ATOMIC_MOVE);
         } catch (AtomicMoveNotSupportedException rareFileSystem) {
@@ -178,36 +156,10 @@ public final class ImageFile {
         }
     }
 
-    private RenderedImage image(Bands bands) {
-        if (bands.count() == 1) {
-            Film film = bands.band(0);
-            return film.toImage(film.hasGaps() && format.showsGaps(bands) ? BufferedImage.TYPE_INT_ARGB
-                : BufferedImage.TYPE_INT_RGB);
+    private Encoder encoder(Bands bands) {
+        if (format.isLossy()) {
+            return new ImageIoEncoder(bands, format);
         }
-        if (format.reading() != ImageFormat.Reading.WHOLE) {
-            return new BandedImage(bands, format.reading() == ImageFormat.Reading.DOWN ? 0 : bands.count() - 1);
-        }
-        BufferedImage whole = new BufferedImage(bands.width(), bands.height(), BufferedImage.TYPE_INT_RGB);
-        for (int i = 0; i < bands.count(); i++) {
-            bands.band(i).paint(whole, i * bands.bandHeight());
-        }
-        return whole;
-    }
-
-    /** One at a time: two threads that load the classes of a library in different orders may wait for each other. */
-    private synchronized void encode(RenderedImage image, OutputStream stream) throws IOException {
-        ImageIO.setUseCache(false);          // its cache is a file in another folder, which may be full or not writable
-        ImageWriter writer = ImageIO.getImageWritersByFormatName(format.name()).next();
-        try (ImageOutputStream output = ImageIO.createImageOutputStream(stream)) {
-            ImageWriteParam parameters = writer.getDefaultWriteParam();
-            if (format == ImageFormat.JPEG) {
-                parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-                parameters.setCompressionQuality(JPEG_QUALITY);
-            }
-            writer.setOutput(output);
-            writer.write(null, new IIOImage(image, null, null), parameters);
-        } finally {
-            writer.dispose();
-        }
+        return format == ImageFormat.PNG ? new PngEncoder(bands) : new BmpEncoder(bands);
     }
 }

@@ -7,26 +7,24 @@ import java.util.Optional;
 /** The kinds of picture files that this program writes. */
 public enum ImageFormat {
     /** Every pixel as computed, compressed without loss. */
-    PNG(Film.MOST_PIXELS, Long.MAX_VALUE, Reading.DOWN, "png"),
+    PNG(Film.MOST_PIXELS, Long.MAX_VALUE, "png"),
 
     /** Compressed with loss. */
-    JPEG(65_500, Integer.MAX_VALUE - 8, Reading.WHOLE, "jpg", "jpeg"),
+    JPEG(65_500, Integer.MAX_VALUE - 8, "jpg", "jpeg"),
 
     /** Every pixel as computed, not compressed: 2 GB at most, with rows of up to 3 bytes more than their pixels need. */
-    BMP(Film.MOST_PIXELS, 500_000_000, Reading.UP, "bmp"),
+    BMP(Film.MOST_PIXELS, 500_000_000, "bmp"),
 
     /** Reduced to 256 colours. */
-    GIF(65_535, Integer.MAX_VALUE - 8, Reading.WHOLE, "gif");
+    GIF(65_535, Integer.MAX_VALUE - 8, "gif");
 
     private final int longestSide;
     private final long mostPixels;
-    private final Reading reading;
     private final List<String> endings;
 
-    ImageFormat(int longestSide, long mostPixels, Reading reading, String... endings) {
+    ImageFormat(int longestSide, long mostPixels, String... endings) {
         this.longestSide = longestSide;
         this.mostPixels = mostPixels;
-        this.reading = reading;
         this.endings = List.of(endings);
     }
 
@@ -64,21 +62,5 @@ public enum ImageFormat {
     /** Whether a file has other colours than its picture, so that it is smaller. */
     public boolean isLossy() {
         return this == JPEG || this == GIF;
-    }
-
-    Reading reading() {
-        return reading;
-    }
-
-    /** How ImageIO's writer reads a picture. */
-    enum Reading {
-        /** Row by row from the top, each row once. */
-        DOWN,
-
-        /** Row by row from the bottom, each row once. */
-        UP,
-
-        /** In any order. */
-        WHOLE
     }
 }

@@ -4,7 +4,7 @@ import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.Arrays;
+import java.nio.ByteBuffer;
 import java.util.Optional;
 import java.util.zip.Inflater;
 import java.util.zip.InflaterInputStream;
@@ -12,19 +12,12 @@ import java.util.zip.InflaterInputStream;
 /**
  * The rows of a PNG file of the usual kind, with only two of them in memory: 8 bits a channel, grey or red, green and blue,
  * with alpha or without, and neither a palette nor a transparent colour nor interlaced. ImageIO's reader decodes all of the
- * file for every part that is asked of it. Format: ISO/IEC 15948, Portable Network Graphics.
+ * file for every part that is asked of it. Format: {@link PngChunk}.
  */
 final class PngRows implements PixelRows {
-    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    private static final int HEADER = 0x49484452;
-    private static final int HEADER_LENGTH = 13;
-    private static final int PIXELS = 0x49444154;
-    private static final int TRANSPARENT_COLOR = 0x74524e53;
-    private static final int CHECKSUM_LENGTH = 4;
     private static final int BUFFER = 1 << 16;
 
-    /** Depth, and then compression, filter and interlacing of the usual kind; the kind of colours stands between them. */
-    private static final int DEPTH = 8;
+    /** Compression, filter and interlacing of the usual kind. */
     private static final int METHODS = 0;
 
     private final int width;
@@ -51,14 +44,15 @@ final class PngRows implements PixelRows {
      * @throws IOException if it ends early
      */
     static Optional<PngRows> of(InputStream file) throws IOException {
-        if (!Arrays.equals(file.readNBytes(SIGNATURE.length), SIGNATURE)) {
+        byte[] signature = file.readNBytes(Long.BYTES);
+        if (signature.length < Long.BYTES || ByteBuffer.wrap(signature).getLong() != PngChunk.SIGNATURE) {
             return Optional.empty();
         }
         DataInputStream data = new DataInputStream(file);
-        boolean isUsual = data.readInt() == HEADER_LENGTH & data.readInt() == HEADER;
+        boolean isUsual = data.readInt() == PngChunk.HEADER_LENGTH & data.readInt() == PngChunk.HEADER;
         int width = data.readInt();
         int height = data.readInt();
-        isUsual &= data.read() == DEPTH;
+        isUsual &= data.read() == PngChunk.DEPTH;
         int channels = channels(data.read());
         isUsual &= data.read() == METHODS && data.read() == METHODS && data.read() == METHODS;
         data.readInt();
@@ -66,11 +60,11 @@ final class PngRows implements PixelRows {
             return Optional.empty();
         }
         int length = data.readInt();
-        for (int kind = data.readInt(); kind != PIXELS; kind = data.readInt()) {
-            if (kind == TRANSPARENT_COLOR) {
+        for (int kind = data.readInt(); kind != PngChunk.PIXELS; kind = data.readInt()) {
+            if (kind == PngChunk.TRANSPARENT_COLOR) {
                 return Optional.empty();
             }
-            data.skipNBytes(length + (long) CHECKSUM_LENGTH);
+            data.skipNBytes(length + (long) PngChunk.CHECKSUM_LENGTH);
             length = data.readInt();
         }
         return Optional.of(new PngRows(width, height, channels,
@@ -80,10 +74,10 @@ final class PngRows implements PixelRows {
     /** How many channels a kind of colours has; 0 with a palette and for what is no kind. */
     private static int channels(int kind) {
         return switch (kind) {
-            case 0 -> 1;
-            case 4 -> 2;
-            case 2 -> 3;
-            case 6 -> 4;
+            case PngChunk.GREY -> 1;
+            case PngChunk.GREY_AND_ALPHA -> 2;
+            case PngChunk.RGB -> 3;
+            case PngChunk.RGB_AND_ALPHA -> 4;
             default -> 0;
         };
     }
@@ -173,9 +167,9 @@ final class PngRows implements PixelRows {
         @Override
         public int read(byte[] target, int from, int length) throws IOException {
             while (left == 0) {
-                file.skipNBytes(CHECKSUM_LENGTH);
+                file.skipNBytes(PngChunk.CHECKSUM_LENGTH);
                 left = file.readInt();
-                if (file.readInt() != PIXELS) {
+                if (file.readInt() != PngChunk.PIXELS) {
                     return -1;
                 }
             }

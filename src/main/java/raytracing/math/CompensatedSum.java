@@ -19,7 +19,8 @@ public final class CompensatedSum {
         double xy = x + y;
         double xyz = xy + z;
         double sum = s + xyz;
-        double productErrors = Math.fma(ax, bx, -x) + Math.fma(ay, by, -y) + Math.fma(az, bz, -z);
+        double productErrors = Fused.errorOfProduct(ax, bx, x) + Fused.errorOfProduct(ay, by, y)
+            + Fused.errorOfProduct(az, bz, z);
         double sumErrors = errorOfSum(x, y, xy) + errorOfSum(xy, z, xyz) + errorOfSum(s, xyz, sum);
         return sum + (productErrors + sumErrors);
     }

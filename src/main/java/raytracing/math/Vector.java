@@ -27,6 +27,14 @@ public record Vector(double x, double y, double z) {
         return x == 0 && y == 0 && z == 0;
     }
 
+    /**
+     * Whether another vector is the same point: 0 and -0 are, unlike for {@link #equals}, which the virtual machine makes at
+     * its first call, from sixty classes.
+     */
+    public boolean isSameAs(Vector other) {
+        return x == other.x && y == other.y && z == other.z;
+    }
+
     /** The maximum norm: the size of the coordinate furthest from 0. */
     public double largestPart() {
         return largestPart(x, y, z);

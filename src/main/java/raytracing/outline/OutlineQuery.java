@@ -141,7 +141,9 @@ public final class OutlineQuery {
         ray.startAt(eye, 0, 0, 1);
         planeSight = new PlaneSight(cone, planes, prepared.planes().numbers(), ray.origin());
         int most = planeCount + room(spheres.length, sphereHierarchy) + room(boxes.length, boxHierarchy);
-        Arrays.setAll(seen, i -> new int[most]);
+        for (int i = 0; i < seen.length; i++) {
+            seen[i] = new int[most];
+        }
         entries = new int[most];
         covers = new Cover[most];
         froms = new double[most];

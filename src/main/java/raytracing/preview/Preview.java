@@ -42,10 +42,10 @@ public final class Preview {
      * Begins to open a window for a region of one picture; if there can be none, prints why on standard error.
      *
      * @param cancellation of the drawing, requested by the Escape key
-     * @param encoder thread that loads Java's picture classes; its end is awaited first, since two threads that load them in
-     *        different orders may wait for each other for ever
+     * @param encoder thread that loads Java's picture classes, if there is one; its end is awaited first, since two threads
+     *        that load them in different orders may wait for each other for ever
      */
-    public static Optional<Preview> open(String output, Region region, Cancellation cancellation, Thread encoder) {
+    public static Optional<Preview> open(String output, Region region, Cancellation cancellation, Optional<Thread> encoder) {
         awaitEnd(encoder);
         Optional<String> obstacle = Display.obstacle(region, 1);
         if (obstacle.isPresent()) {
@@ -77,8 +77,8 @@ public final class Preview {
      * @throws RayTracerException if there can be no window here
      * @throws IOException if opening the window fails
      */
-    public static Preview openToWatch(String output, Region region, String scene, Runnable closed, Thread encoder)
-            throws RayTracerException, IOException {
+    public static Preview openToWatch(String output, Region region, String scene, Runnable closed,
+            Optional<Thread> encoder) throws RayTracerException, IOException {
         awaitEnd(encoder);
         Optional<String> obstacle = Display.obstacle(region, PICTURES_OF_A_WATCHED_SCENE);
         if (obstacle.isPresent()) {
@@ -96,9 +96,11 @@ public final class Preview {
         return preview;
     }
 
-    private static void awaitEnd(Thread thread) {
+    private static void awaitEnd(Optional<Thread> thread) {
         try {
-            thread.join();
+            if (thread.isPresent()) {
+                thread.get().join();
+            }
         } catch (InterruptedException request) {
             Thread.currentThread().interrupt();      // the request to end is passed on
         }

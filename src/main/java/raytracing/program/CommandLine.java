@@ -60,6 +60,7 @@ public final class CommandLine {
     private static final String KNOWN_FORMATS = ", expected a name ending in .png, .jpg, .bmp or .gif";
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SAMPLES = 32;
+    private static final int MOST_DIGITS = 10;
     private static final String EXACT = "exact";
     private static final String SAMPLED = "sampled";
 
@@ -162,11 +163,28 @@ public final class CommandLine {
     }
 
     private static ErrorLimit errorLimit(String value) throws RayTracerException {
-        double steps = value.matches("\\d{1,9}(\\.\\d{1,9})?|\\.\\d{1,9}") ? Double.parseDouble(value) : 0;
+        double steps = isDecimal(value) ? Double.parseDouble(value) : 0;
         if (!(steps >= ErrorLimit.LEAST && steps <= ErrorLimit.MOST)) {
             throw wrong("--error", "a number of steps of 1/255 from 0.25 to 64, such as 1 or 0.5", value);
         }
         return new ErrorLimit(steps);
+    }
+
+    /** Whether a word is of the form 12, 1.5 or .5; a regular expression for it would load 80 classes. */
+    private static boolean isDecimal(String word) {
+        int point = word.indexOf('.');
+        boolean isWhole = point == 0 || isDigits(word.substring(0, point < 0 ? word.length() : point));
+        return isWhole && (point < 0 || isDigits(word.substring(point + 1)));
+    }
+
+    /** Whether a word is one to ten digits. */
+    private static boolean isDigits(String word) {
+        for (int i = 0; i < word.length(); i++) {
+            if (word.charAt(i) < '0' || word.charAt(i) > '9') {
+                return false;
+            }
+        }
+        return !word.isEmpty() && word.length() <= MOST_DIGITS;
     }
 
     private static String shadows(String method) throws RayTracerException {
@@ -308,10 +326,14 @@ public final class CommandLine {
     }
 
     private static Region region(String value, RenderSettings picture, ImageFormat format) throws RayTracerException {
-        if (!value.matches("\\d{1,10}(,\\d{1,10}){3}")) {
+        String[] numbers = value.split(",", -1);
+        boolean areFour = numbers.length == 4;
+        for (String number : numbers) {
+            areFour &= isDigits(number);
+        }
+        if (!areFour) {
             throw wrong("--region", "X,Y,W,H: left column, top row, width and height, whole numbers with commas", value);
         }
-        String[] numbers = value.split(",");
         long x = Long.parseLong(numbers[0]);
         long y = Long.parseLong(numbers[1]);
         long width = Long.parseLong(numbers[2]);

@@ -89,6 +89,11 @@ public final class ComparedPicture implements Closeable {
         return compare.file().toString();
     }
 
+    /** Begins to load what writes the map, if there is to be one and that takes a while; returns the thread that does. */
+    Optional<Thread> prepareMap() {
+        return compare.map().isPresent() ? compare.map().get().prepare() : Optional.empty();
+    }
+
     /** Compares the picture that was drawn, read back from its file. */
     public Comparison compare() throws IOException {
         try (StoredPicture found = StoredPicture.open(command.output())) {

@@ -2,6 +2,7 @@ package raytracing.program;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.Locale;
 import raytracing.ambient.AmbientLight;
 import raytracing.color.Color;
@@ -63,7 +64,13 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
 
     /** Two decimals, or Infinity. */
     static String decibels(double number) {
-        return Double.isInfinite(number) ? String.valueOf(number) : String.format(Locale.ROOT, "%.2f", number);
+        return fixed(number, 2);
+    }
+
+    /** A number with some decimals, ties upwards; or Infinity. String.format would load 260 classes for the same text. */
+    private static String fixed(double number, int decimals) {
+        return Double.isInfinite(number) ? String.valueOf(number)
+            : BigDecimal.valueOf(number).setScale(decimals, RoundingMode.HALF_UP).toPlainString();
     }
 
     /** Whether a finished picture shows no surface; false for a region of a picture, which may well show none. */
@@ -76,7 +83,7 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
     }
 
     private boolean isWhole() {
-        return settings.region().equals(Region.whole(settings.width(), settings.height()));
+        return settings.region().pixelCount() == (long) settings.width() * settings.height();
     }
 
     private String pixels() {
@@ -91,7 +98,7 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
             return errors(drawing, ambientLight);
         }
         int root = grid.root();
-        return root == 1 ? "" : String.format(Locale.ROOT, ", %.1f %% of them with %d x %d rays", refined(drawing), root, root);
+        return root == 1 ? "" : ", " + fixed(refined(drawing), 1) + " % of them with " + root + " x " + root + " rays";
     }
 
     private double refined(Drawing drawing) {
@@ -102,22 +109,22 @@ public record Messages(String output, ImageFormat format, RenderSettings setting
     private String errors(Drawing drawing, AmbientLight ambientLight) {
         ErrorTally errors = drawing.errors();
         String ambient = ambientLight.isNone() ? "" : ", ambient light about " + steps(ambientLight.error()) + " steps";
-        String sentence = String.format(Locale.ROOT, ", error about %s steps (largest %s)%s, %.0f %% of the pixels with more "
-            + "than one ray", steps(errors.error()), steps(errors.largest()), ambient, refined(drawing));
+        String sentence = ", error about " + steps(errors.error()) + " steps (largest " + steps(errors.largest()) + ")" + ambient
+            + ", " + fixed(refined(drawing), 0) + " % of the pixels with more than one ray";
         if (errors.unfinished() > 0) {
-            sentence += String.format(Locale.ROOT, ", %d of them need more than %d rays and may be off by up to %s steps",
-                errors.unfinished(), ErrorTally.mostRays(), steps(errors.largestUnfinished()));
+            sentence += ", " + errors.unfinished() + " of them need more than " + ErrorTally.mostRays()
+                + " rays and may be off by up to " + steps(errors.largestUnfinished()) + " steps";
         }
         return sentence + (format.isLossy() ? ", and " + format.name().toLowerCase(Locale.ROOT) + " itself loses more" : "");
     }
 
     private static String steps(double error) {
-        return String.format(Locale.ROOT, error < 0.1 ? "%.2f" : "%.1f", error);
+        return fixed(error, error < 0.1 ? 2 : 1);
     }
 
     private static String ambience(AmbientLight light) {
         Color mean = light.mean();
-        return light.isNone() ? "" : String.format(Locale.ROOT, ", in ambient light of %.3f %.3f %.3f",
-            mean.red(), mean.green(), mean.blue());
+        return light.isNone() ? "" : ", in ambient light of " + fixed(mean.red(), 3) + " " + fixed(mean.green(), 3) + " "
+            + fixed(mean.blue(), 3);
     }
 }

@@ -91,15 +91,15 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
             isLineShown = true;
             line.begin();
         }
-        encoder = Optional.of(prepareOutput());
+        encoder = prepareOutput();
     }
 
     /**
      * Refuses an output that cannot become a picture file, and what cannot be compared with it; else begins to load what
-     * writes the file, in the thread returned. The picture to compare with is read before, as it needs some of the same
-     * classes of Java.
+     * writes the file, in the thread returned, if that takes a while. The picture to compare with is read before, as it
+     * needs some of the same classes of Java.
      */
-    Thread prepareOutput() throws RayTracerException, IOException {
+    Optional<Thread> prepareOutput() throws RayTracerException, IOException {
         Optional<String> obstacle;
         try {
             obstacle = file.obstacle(command.scene());
@@ -112,7 +112,8 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
         if (command.compare().isPresent()) {
             compared = Optional.of(ComparedPicture.open(command, command.compare().get()));
         }
-        return file.prepare();
+        Optional<Thread> loader = file.prepare();
+        return loader.isEmpty() && compared.isPresent() ? compared.get().prepareMap() : loader;
     }
 
     /**
@@ -134,7 +135,7 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
             preview.get().renew();
         } else {
             if (command.wants(Option.PREVIEW)) {
-                preview = Preview.open(command.output().toString(), command.settings().region(), cancellation, encoder.get());
+                preview = Preview.open(command.output().toString(), command.settings().region(), cancellation, encoder);
             }
             interruption.begin();
         }
@@ -213,7 +214,9 @@ public final class Reporter implements Thread.UncaughtExceptionHandler {
         }
         interruption.end();
         try {
-            encoder.get().join();                // two threads that load Java's picture classes may wait for each other
+            if (encoder.isPresent()) {
+                encoder.get().join();            // two threads that load Java's picture classes may wait for each other
+            }
         } catch (InterruptedException request) {
             Thread.currentThread().interrupt();
         }

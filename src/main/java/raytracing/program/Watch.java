@@ -31,7 +31,7 @@ public final class Watch {
      */
     public static Watch open(Command.Draw command) throws RayTracerException, IOException {
         Reporter first = new Reporter(command);
-        Thread encoder = first.prepareOutput();
+        Optional<Thread> encoder = first.prepareOutput();
         first.end();
         Saves saves = new Saves(command.scene());
         Preview preview = Preview.openToWatch(command.output().toString(), command.settings().region(),

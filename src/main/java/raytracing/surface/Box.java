@@ -396,7 +396,7 @@ public record Box(Vector centre, double edge, int material) implements Body {
 
     @Override
     public boolean isInPlaceOf(Surface other) {
-        return other instanceof Box box && edge == box.edge && centre.equals(box.centre);
+        return other instanceof Box box && edge == box.edge && centre.isSameAs(box.centre);
     }
 
     /**

@@ -2,6 +2,7 @@ package raytracing.surface;
 
 import java.util.Optional;
 import raytracing.math.CompensatedSum;
+import raytracing.math.Fused;
 import raytracing.math.Surd;
 import raytracing.math.UnitVector;
 import raytracing.math.Vector;
@@ -49,12 +50,12 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
         double nx = normal.x();
         double ny = normal.y();
         double nz = normal.z();
-        double gapZ = Math.fma(-nz, o.z, offset);
-        double gapYz = Math.fma(-ny, o.y, gapZ);
-        double gap = Math.fma(-nx, o.x, gapYz);
+        double gapZ = Fused.multiplyAdd(-nz, o.z, offset);
+        double gapYz = Fused.multiplyAdd(-ny, o.y, gapZ);
+        double gap = Fused.multiplyAdd(-nx, o.x, gapYz);
         double approachZ = nz * ray.dz;
-        double approachYz = Math.fma(ny, ray.dy, approachZ);
-        double approach = Math.fma(nx, ray.dx, approachYz);
+        double approachYz = Fused.multiplyAdd(ny, ray.dy, approachZ);
+        double approach = Fused.multiplyAdd(nx, ray.dx, approachYz);
         double t = gap / approach;
         double onPlane = o.error * size(nx, ny, nz);
         double rounded = Math.abs(gapZ) + Math.abs(gapYz) + (16 * onPlane + SMALL);
@@ -138,7 +139,7 @@ public record Plane(Vector normal, double offset, int material) implements Surfa
 
     @Override
     public boolean isInPlaceOf(Surface other) {
-        return other instanceof Plane plane && offset == plane.offset && normal.equals(plane.normal);
+        return other instanceof Plane plane && offset == plane.offset && normal.isSameAs(plane.normal);
     }
 
     /** The point along the ray is dropped onto the plane: from far away, rounding leaves it beside. */

@@ -3,6 +3,7 @@ package raytracing.surface;
 import java.util.Optional;
 import raytracing.hierarchy.Bounds;
 import raytracing.math.CompensatedSum;
+import raytracing.math.Fused;
 import raytracing.math.Surd;
 import raytracing.math.UnitVector;
 import raytracing.math.Vector;
@@ -246,7 +247,7 @@ public record Sphere(Vector centre, double radius, int material) implements Body
         double lowA = errorOfSquare(dx, 0) + errorOfSquare(dy, 0) + errorOfSquare(dz, 0)
             + CompensatedSum.errorOfSum(dx * dx, dy * dy, aXy) + CompensatedSum.errorOfSum(aXy, dz * dz, a);
         double high = a * squaredRadius;
-        double low = Math.fma(a, squaredRadius, -high) + (lowA * squaredRadius + a * errorOfSquare(radius, 0));
+        double low = Fused.errorOfProduct(a, squaredRadius, high) + (lowA * squaredRadius + a * errorOfSquare(radius, 0));
         double withoutX = high - gx * gx;
         double withoutXy = withoutX - gy * gy;
         double discriminant = withoutXy - gz * gz;
@@ -273,7 +274,7 @@ public record Sphere(Vector centre, double radius, int material) implements Body
         double xyz = xy + z;
         double rests = CompensatedSum.errorOfSum(o.x, -centre.x(), fx) * dx
             + CompensatedSum.errorOfSum(o.y, -centre.y(), fy) * dy + CompensatedSum.errorOfSum(o.z, -centre.z(), fz) * dz;
-        double errors = Math.fma(fx, dx, -x) + Math.fma(fy, dy, -y) + Math.fma(fz, dz, -z)
+        double errors = Fused.errorOfProduct(fx, dx, x) + Fused.errorOfProduct(fy, dy, y) + Fused.errorOfProduct(fz, dz, z)
             + CompensatedSum.errorOfSum(x, y, xy) + CompensatedSum.errorOfSum(xy, z, xyz);
         return -(xyz + (errors + rests));
     }
@@ -282,12 +283,12 @@ public record Sphere(Vector centre, double radius, int material) implements Body
     private static double errorOfDifference(double p, double q, double v, double w, double difference) {
         double pq = p * q;
         double vw = v * w;
-        return Math.fma(p, q, -pq) - Math.fma(v, w, -vw) + CompensatedSum.errorOfSum(pq, -vw, difference);
+        return Fused.errorOfProduct(p, q, pq) - Fused.errorOfProduct(v, w, vw) + CompensatedSum.errorOfSum(pq, -vw, difference);
     }
 
     /** What v v leaves out of the square of v + error. */
     private static double errorOfSquare(double v, double error) {
-        return Math.fma(v, v, -(v * v)) + 2 * v * error;
+        return Fused.errorOfProduct(v, v, v * v) + 2 * v * error;
     }
 
     /**
@@ -475,7 +476,7 @@ public record Sphere(Vector centre, double radius, int material) implements Body
 
     @Override
     public boolean isInPlaceOf(Surface other) {
-        return other instanceof Sphere sphere && radius == sphere.radius && centre.equals(sphere.centre);
+        return other instanceof Sphere sphere && radius == sphere.radius && centre.isSameAs(sphere.centre);
     }
 
     /**
