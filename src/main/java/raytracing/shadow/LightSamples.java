@@ -33,22 +33,29 @@ final class LightSamples {
     void place(int first, int size, int root, Shaft shaft, long key) {
         double cell = 2 * shaft.halfWidth / root;
         double halfRoot = root / 2.0;
-        double squaredDepth = shaft.depth * shaft.depth;
         int row = first / root;
         int column = first % root;
-        for (int i = 0; i < size; i++) {
-            long bits = CounterRandom.bits(key, first + i);
-            double pointX = (column + CounterRandom.upperFraction(bits) - halfRoot) * cell;
-            double pointY = (row + CounterRandom.lowerFraction(bits) - halfRoot) * cell;
-            x[i] = pointX;
-            y[i] = pointY;
-            squaredDistance[i] = pointX * pointX + pointY * pointY + squaredDepth;
-            transmittance[i] = 1;
-            column++;
-            if (column == root) {
-                column = 0;
-                row++;
+        int i = 0;
+        while (i < size) {
+            int end = Math.min(size, i + root - column);
+            double left = column - halfRoot;
+            double bottom = row - halfRoot;
+            for (; i < end; i++) {
+                long bits = CounterRandom.bits(key, first + i);
+                x[i] = (left + CounterRandom.upperFraction(bits)) * cell;
+                y[i] = (bottom + CounterRandom.lowerFraction(bits)) * cell;
+                left++;
             }
+            column = 0;
+            row++;
+        }
+        setDistances(shaft.depth * shaft.depth, size);
+    }
+
+    private void setDistances(double squaredDepth, int size) {
+        for (int i = 0; i < size; i++) {
+            squaredDistance[i] = x[i] * x[i] + y[i] * y[i] + squaredDepth;
+            transmittance[i] = 1;
         }
         count = size;
     }
