@@ -24,8 +24,8 @@ final class HierarchyBuilder {
     /** No leaf lies deeper, the root being at depth 0. */
     static final int GREATEST_DEPTH = DEEPEST_CUT + MOST_HALVINGS;
 
-    /** Handing a group of this size to another thread costs far less than the work in it. */
-    private static final int LARGE_GROUP = 1 << 16;
+    /** Groups that may go to several threads are larger. */
+    private static final int LARGE_GROUP = ForkJoin.LARGE_RANGE;
 
     /** Node, first position, position after the last, and depth. */
     private static final int NUMBERS_OF_A_GROUP = 4;

@@ -7,6 +7,9 @@ import java.util.concurrent.atomic.AtomicInteger;
  * is done. Thread-safe: tasks may fork again.
  */
 public final class ForkJoin {
+    /** Simple work on so many numbers takes longer than handing half of it to another thread. */
+    public static final int LARGE_RANGE = 1 << 16;
+
     private final AtomicInteger idleThreads;
     private final Preparation preparation;
 
@@ -38,6 +41,29 @@ public final class ForkJoin {
             idleThreads.getAndIncrement();
         }
         helper.rethrow();
+    }
+
+    /**
+     * Runs a task over the numbers from 0 to before a size: over all at once if they are few, else over ranges of which each
+     * is a part of the half of a half, and so on.
+     */
+    public void runRanges(int size, Range task) {
+        runRanges(0, size, task);
+    }
+
+    private void runRanges(int from, int to, Range task) {
+        if (to - from <= LARGE_RANGE) {
+            task.run(from, to);
+        } else {
+            int middle = (from + to) >>> 1;
+            runBoth(() -> runRanges(from, middle, task), () -> runRanges(middle, to, task));
+        }
+    }
+
+    /** Work on the numbers of a range. */
+    public interface Range {
+        /** Works on those from {@code from} to before {@code to}; changes nothing that belongs to others. */
+        void run(int from, int to);
     }
 
     /** Reports how much there is to do, in bodies or cells. */
