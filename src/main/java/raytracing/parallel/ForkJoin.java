@@ -43,20 +43,18 @@ public final class ForkJoin {
         helper.rethrow();
     }
 
-    /**
-     * Runs a task over the numbers from 0 to before a size: over all at once if they are few, else over ranges of which each
-     * is a part of the half of a half, and so on.
-     */
+    /** Runs a task over the numbers from 0 to before a size, in ranges of {@link #LARGE_RANGE} numbers at most. */
     public void runRanges(int size, Range task) {
-        runRanges(0, size, task);
+        runRanges(0, size, LARGE_RANGE, task);
     }
 
-    private void runRanges(int from, int to, Range task) {
-        if (to - from <= LARGE_RANGE) {
+    /** Runs a task over the numbers from {@code from} to before {@code to}, in ranges: halves of halves and so on. */
+    public void runRanges(int from, int to, int largest, Range task) {
+        if (to - from <= largest) {
             task.run(from, to);
         } else {
             int middle = (from + to) >>> 1;
-            runBoth(() -> runRanges(from, middle, task), () -> runRanges(middle, to, task));
+            runBoth(() -> runRanges(from, middle, largest, task), () -> runRanges(middle, to, largest, task));
         }
     }
 
