@@ -46,7 +46,7 @@ class DividedFileTest {
             Map.entry("a second camera", CAM + SET + MTL + MTL + SURFACES + CAM + SURFACES),
             Map.entry("no camera", SET + MTL + MTL + SURFACES),
             Map.entry("another kind of file", "solid cube\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
-            Map.entry("another kind of file with surfaces", "solid cube\\nfacet normal 0 0 1\\n" + SURFACES),
+            Map.entry("another kind of file with surfaces", "<html><body>\n" + SURFACES),
             Map.entry("bytes that are no text", CAM + SET + MTL + MTL + SURFACES + "\u0000\ufffd\n" + SURFACES),
             Map.entry("nothing", ""));
     }
