@@ -53,9 +53,12 @@ public final class PreparedScene {
         Optional<Hierarchy> overSpheres = arrange(sphereNumbers, workers);
         Optional<Hierarchy> overBoxes = arrange(boxNumbers, workers);
         int[] planeNumbers = kinds.planes.toArray();
-        planes = new PlaneList(listed(planeNumbers, new Plane[planeNumbers.length], workers), planeNumbers);
-        spheres = new SphereList(listed(sphereNumbers, new Sphere[sphereNumbers.length], workers), sphereNumbers, overSpheres);
-        boxes = new BoxList(listed(boxNumbers, new Box[boxNumbers.length], workers), boxNumbers, overBoxes);
+        Plane[] allPlanes = listed(planeNumbers, new Plane[planeNumbers.length], workers);
+        Sphere[] allSpheres = listed(sphereNumbers, new Sphere[sphereNumbers.length], workers);
+        Box[] allBoxes = listed(boxNumbers, new Box[boxNumbers.length], workers);
+        planes = new PlaneList(allPlanes, planeNumbers);
+        spheres = new SphereList(allSpheres, packed(allSpheres, workers), sphereNumbers, overSpheres);
+        boxes = new BoxList(allBoxes, packed(allBoxes, workers), boxNumbers, overBoxes);
         lists = new SurfaceList[] {planes, spheres, boxes};
         hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent();
         checkThatAllAreListed();
@@ -122,6 +125,16 @@ public final class PreparedScene {
             }
         });
         return list;
+    }
+
+    private static double[] packed(Body[] bodies, ForkJoin workers) {
+        double[] packed = new double[Math.multiplyExact(Body.PACKED, bodies.length)];
+        workers.runRanges(bodies.length, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                bodies[i].pack(packed, Body.PACKED * i);
+            }
+        });
+        return packed;
     }
 
     /** Numbers of surfaces, one after the other. */
