@@ -13,8 +13,8 @@ public final class Bounds {
     /** From the index of a low number to that of the high one of the same axis. */
     static final int TO_HIGH = 3;
 
-    /** Low numbers and origins go no further up than this, high ones no further down: so no way between two overflows. */
-    private static final float FAR = 0x1p126f;
+    /** Low numbers go no further up than this, high ones no further down: the way to a face met first does not overflow. */
+    static final float FAR = 0x1p126f;
 
     private final float[] numbers;
 
@@ -42,12 +42,12 @@ public final class Bounds {
      * A float below a sum of two numbers that was rounded to a double. The one next to the nearest float is at least half a
      * step of floats below, far more than the sum's rounding.
      */
-    static float below(double sum) {
+    private static float below(double sum) {
         return Math.min(Math.nextDown((float) sum), FAR);
     }
 
     /** A float above a sum of two numbers that was rounded to a double. */
-    static float above(double sum) {
+    private static float above(double sum) {
         return Math.max(Math.nextUp((float) sum), -FAR);
     }
 

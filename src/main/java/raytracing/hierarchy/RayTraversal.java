@@ -13,13 +13,13 @@ package raytracing.hierarchy;
  * one of them is. The processor has a greatest of whole numbers; that of floats takes five instructions, as Java wants it for
  * zeros and NaN.
  *
- * <p>Proof that nothing is lost. The origin is rounded ahead for the faces passed first and back for those passed last. As the
+ * <p>Proof that nothing is lost. The origin is moved ahead for the faces passed first and back for those passed last. As the
  * boxes' numbers are floats, the ways to the faces are differences of floats, off by at most one rounding; the reciprocal is
  * off by one, the product by one: 3 in 2^24, with a unit of the last place for times below the normal numbers. Ways to faces
  * that are passed first do not overflow ({@link Bounds}), and where times do, they are above all others. An exit below 0 has a
- * way below 0, which is right. A NaN comes only from a ray that runs parallel to a face and in its plane, as the origin
- * was rounded away from the box to a number other than its own: the ray is outside, and whatever the bits are, nothing is lost.
- * Along an axis whose reciprocal is no normal float, though the ray moves, all times count as inside.
+ * way below 0, which is right. A NaN comes only from a ray that runs parallel to a face and, once moved, in its
+ * plane: the ray itself is outside then, and whatever the bits are, nothing is lost. Along an axis whose reciprocal is no normal
+ * float, though the ray moves, all times count as inside.
  */
 public final class RayTraversal extends Traversal {
     /**
@@ -33,6 +33,9 @@ public final class RayTraversal extends Traversal {
      * on the far side is computed, up to four errors away for a body smaller than the error itself. Twice that, as reserve.
      */
     private static final double GROWN = 8;
+
+    /** Twice what an origin is off by that is rounded to a float, moved, and rounded again: 2^-24 of its size each time. */
+    private static final float ROUNDING = 0x1p-22f;
 
     private static final int MISSED = -1;
 
@@ -67,56 +70,72 @@ public final class RayTraversal extends Traversal {
     public void startRay(Hierarchy hierarchy, double ox, double oy, double oz, double originError,
                          double dx, double dy, double dz) {
         start(hierarchy);
-        double grown = GROWN * originError;
-        perX = reciprocal(dx);
-        nearX = perX < 0 ? Bounds.TO_HIGH : 0;
+        float grown = (float) (GROWN * originError) + Float.MIN_NORMAL;
+        perX = (float) (1 / dx);
+        perY = (float) (1 / dy);
+        perZ = (float) (1 / dz);
+        nearX = firstFace(0, perX);
+        nearY = firstFace(1, perY);
+        nearZ = firstFace(2, perZ);
         farX = Bounds.TO_HIGH - nearX;
-        nearOriginX = perX < 0 ? Bounds.below(ox - grown) : Bounds.above(ox + grown);
-        farOriginX = perX < 0 ? Bounds.above(ox + grown) : Bounds.below(ox - grown);
-        perY = reciprocal(dy);
-        nearY = perY < 0 ? 1 + Bounds.TO_HIGH : 1;
         farY = 2 + Bounds.TO_HIGH - nearY;
-        nearOriginY = perY < 0 ? Bounds.below(oy - grown) : Bounds.above(oy + grown);
-        farOriginY = perY < 0 ? Bounds.above(oy + grown) : Bounds.below(oy - grown);
-        perZ = reciprocal(dz);
-        nearZ = perZ < 0 ? 2 + Bounds.TO_HIGH : 2;
         farZ = 4 + Bounds.TO_HIGH - nearZ;
-        nearOriginZ = perZ < 0 ? Bounds.below(oz - grown) : Bounds.above(oz + grown);
-        farOriginZ = perZ < 0 ? Bounds.above(oz + grown) : Bounds.below(oz - grown);
-        if (!(isOrdinary(perX) && isOrdinary(perY) && isOrdinary(perZ))) {
-            freeExtraordinary(dx, dy, dz);
+        float x = (float) ox;
+        float y = (float) oy;
+        float z = (float) oz;
+        float moveX = move(x, grown, perX);
+        float moveY = move(y, grown, perY);
+        float moveZ = move(z, grown, perZ);
+        nearOriginX = x + moveX;
+        nearOriginY = y + moveY;
+        nearOriginZ = z + moveZ;
+        farOriginX = x - moveX;
+        farOriginY = y - moveY;
+        farOriginZ = z - moveZ;
+        if (!(isOrdinary(x, perX) && isOrdinary(y, perY) && isOrdinary(z, perZ))) {
+            freeExtraordinary(x, y, z, dx, dy, dz);
         }
         int entry = entry(Hierarchy.ROOT, Float.floatToRawIntBits(Float.POSITIVE_INFINITY));
         entryOfWaiting[0] = entry;
         waitingCount = entry < 0 ? 0 : 1;
     }
 
-    /** Infinite along an axis on which the ray does not go: then it is between the faces at all times or at none. */
-    private static float reciprocal(double d) {
-        return (float) (1 / d);
+    /** The face of a box that is passed first along an axis; the reciprocal of 0 is infinite, with the sign of the 0. */
+    private static int firstFace(int axis, float per) {
+        return per < 0 ? axis + Bounds.TO_HIGH : axis;
     }
 
-    private static boolean isOrdinary(float reciprocal) {
-        return Math.abs(reciprocal) >= Float.MIN_NORMAL && Math.abs(reciprocal) <= Float.MAX_VALUE;
+    /** How far the origin moves along the ray's direction: further than it has grown and was rounded, in these sums too. */
+    private static float move(float origin, float grown, float per) {
+        float move = Math.abs(origin) * ROUNDING + grown * (1 + ROUNDING);
+        return per < 0 ? -move : move;
     }
 
-    /** Lets a ray be between the faces at all times along axes whose reciprocals say nothing. */
-    private void freeExtraordinary(double dx, double dy, double dz) {
-        if (dx != 0 && !isOrdinary(perX)) {
+    /** Whether ways from the origin do not overflow, and the reciprocal is a normal number, with all its digits. */
+    private static boolean isOrdinary(float origin, float per) {
+        return Math.abs(origin) <= Bounds.FAR && Math.abs(per) >= Float.MIN_NORMAL && Math.abs(per) <= Float.MAX_VALUE;
+    }
+
+    /**
+     * Lets a ray be between the faces at all times along axes on which nothing else is certain. Along an axis on which it does
+     * not go, an infinite reciprocal says that it is between the faces at all times or at none.
+     */
+    private void freeExtraordinary(float x, float y, float z, double dx, double dy, double dz) {
+        if (!isOrdinary(x, dx == 0 ? 1 : perX)) {
             nearX = 0;
             farX = Bounds.TO_HIGH;
             nearOriginX = Float.POSITIVE_INFINITY;
             farOriginX = Float.NEGATIVE_INFINITY;
             perX = 1;
         }
-        if (dy != 0 && !isOrdinary(perY)) {
+        if (!isOrdinary(y, dy == 0 ? 1 : perY)) {
             nearY = 1;
             farY = 1 + Bounds.TO_HIGH;
             nearOriginY = Float.POSITIVE_INFINITY;
             farOriginY = Float.NEGATIVE_INFINITY;
             perY = 1;
         }
-        if (dz != 0 && !isOrdinary(perZ)) {
+        if (!isOrdinary(z, dz == 0 ? 1 : perZ)) {
             nearZ = 2;
             farZ = 2 + Bounds.TO_HIGH;
             nearOriginZ = Float.POSITIVE_INFINITY;

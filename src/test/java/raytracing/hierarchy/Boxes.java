@@ -20,8 +20,9 @@ record Boxes(double[] numbers, Hierarchy hierarchy) {
             float nearest = (float) numbers[i];
             boolean isHigh = i % Bounds.STRIDE >= Bounds.TO_HIGH;
             boolean isInside = isHigh ? nearest < numbers[i] : nearest > numbers[i];
-            float next = isHigh ? Bounds.above(numbers[i]) : Bounds.below(numbers[i]);
-            bounds.numbers()[i] = isInside ? next : nearest;
+            float next = isHigh ? Math.nextUp(nearest) : Math.nextDown(nearest);
+            float outside = isInside ? next : nearest;
+            bounds.numbers()[i] = isHigh ? Math.max(outside, -Bounds.FAR) : Math.min(outside, Bounds.FAR);
         }
         return bounds;
     }
