@@ -75,7 +75,7 @@ final class HierarchyBuilder {
     static Nodes build(Bounds bounds, int[] order, ForkJoin workers) {
         Part part = new Part();
         HierarchyBuilder builder = new HierarchyBuilder(bounds.numbers(), order, workers);
-        builder.writeBoxes(part.nodes.boxes(), 0, builder.spreads, 0, 0, bounds.size());
+        builder.writeRoot(part.nodes.boxes(), bounds.size());
         builder.build(part, 0, bounds.size(), 0);
         if (part.below.length == 0) {
             return part.nodes;
@@ -84,6 +84,21 @@ final class HierarchyBuilder {
         System.arraycopy(part.nodes.boxes(), 0, tree.boxes(), 0, Bounds.STRIDE);
         part.write(tree, 0);
         return tree;
+    }
+
+    /** Writes the box around all bodies, and the spread of their centres; two threads may look at half of them each. */
+    private void writeRoot(float[] boxes, int size) {
+        if (size <= LARGE_GROUP) {
+            writeBoxes(boxes, 0, spreads, 0, 0, size);
+            return;
+        }
+        int middle = size >>> 1;
+        float[] others = new float[Bounds.STRIDE];
+        float[] otherSpreads = new float[Bounds.STRIDE];
+        workers.runBoth(() -> writeBoxes(boxes, 0, spreads, 0, 0, middle),
+            () -> writeBoxes(others, 0, otherSpreads, 0, middle, size));
+        Bounds.include(boxes, 0, others, 0);
+        Bounds.include(spreads, 0, otherSpreads, 0);
     }
 
     /** Writes the boxes around the bodies at some positions, and around twice their centres. */

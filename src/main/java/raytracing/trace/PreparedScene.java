@@ -53,12 +53,17 @@ public final class PreparedScene {
         Optional<Hierarchy> overSpheres = arrange(sphereNumbers, workers);
         Optional<Hierarchy> overBoxes = arrange(boxNumbers, workers);
         int[] planeNumbers = kinds.planes.toArray();
-        Plane[] allPlanes = listed(planeNumbers, new Plane[planeNumbers.length], workers);
-        Sphere[] allSpheres = listed(sphereNumbers, new Sphere[sphereNumbers.length], workers);
-        Box[] allBoxes = listed(boxNumbers, new Box[boxNumbers.length], workers);
+        Plane[] allPlanes = new Plane[planeNumbers.length];
+        for (int i = 0; i < allPlanes.length; i++) {
+            allPlanes[i] = (Plane) surfaces[planeNumbers[i]];
+        }
+        Sphere[] allSpheres = new Sphere[sphereNumbers.length];
+        Box[] allBoxes = new Box[boxNumbers.length];
+        double[] packedSpheres = list(sphereNumbers, allSpheres, workers);
+        double[] packedBoxes = list(boxNumbers, allBoxes, workers);
         planes = new PlaneList(allPlanes, planeNumbers);
-        spheres = new SphereList(allSpheres, packed(allSpheres, workers), sphereNumbers, overSpheres);
-        boxes = new BoxList(allBoxes, packed(allBoxes, workers), boxNumbers, overBoxes);
+        spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
+        boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
         lists = new SurfaceList[] {planes, spheres, boxes};
         hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent();
         checkThatAllAreListed();
@@ -116,22 +121,14 @@ public final class PreparedScene {
         return Optional.of(hierarchy);
     }
 
-    /** Fills an array with the surfaces of these numbers, all of which are of its kind. */
-    private <S extends Surface> S[] listed(int[] numbers, S[] list, ForkJoin workers) {
-        Surface[] target = list;
+    /** Fills a list with the bodies of these numbers, which are of its kind; returns what {@link Body#pack} writes of each. */
+    private double[] list(int[] numbers, Body[] list, ForkJoin workers) {
+        double[] packed = new double[Math.multiplyExact(Body.PACKED, numbers.length)];
         workers.runRanges(numbers.length, (from, to) -> {
             for (int i = from; i < to; i++) {
-                target[i] = surfaces[numbers[i]];
-            }
-        });
-        return list;
-    }
-
-    private static double[] packed(Body[] bodies, ForkJoin workers) {
-        double[] packed = new double[Math.multiplyExact(Body.PACKED, bodies.length)];
-        workers.runRanges(bodies.length, (from, to) -> {
-            for (int i = from; i < to; i++) {
-                bodies[i].pack(packed, Body.PACKED * i);
+                Body body = (Body) surfaces[numbers[i]];
+                list[i] = body;
+                body.pack(packed, Body.PACKED * i);
             }
         });
         return packed;
