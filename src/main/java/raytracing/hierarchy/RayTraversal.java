@@ -37,7 +37,8 @@ public final class RayTraversal extends Traversal {
     /** Twice what an origin is off by that is rounded to a float, moved, and rounded again: 2^-24 of its size each time. */
     private static final float ROUNDING = 0x1p-22f;
 
-    private static final int MISSED = -1;
+    /** In place of the number of a node. */
+    private static final int NOTHING = Integer.MAX_VALUE;
 
     private final int[] entryOfWaiting = new int[waiting.length];
 
@@ -95,9 +96,8 @@ public final class RayTraversal extends Traversal {
         if (!(isOrdinary(x, perX) && isOrdinary(y, perY) && isOrdinary(z, perZ))) {
             freeExtraordinary(x, y, z, dx, dy, dz);
         }
-        int entry = entry(Hierarchy.ROOT, Float.floatToRawIntBits(Float.POSITIVE_INFINITY));
-        entryOfWaiting[0] = entry;
-        waitingCount = entry < 0 ? 0 : 1;
+        waiting[0] = below(Hierarchy.ROOT);
+        entryOfWaiting[0] = 0;
     }
 
     /** The face of a box that is passed first along an axis; the reciprocal of 0 is infinite, with the sign of the 0. */
@@ -146,64 +146,65 @@ public final class RayTraversal extends Traversal {
 
     /**
      * Goes on to the next leaf whose box the ray may meet at some t from 0 to {@code latest}, both included; returns
-     * whether there is one.
+     * whether there is one. Of two siblings it goes down from the one that is entered first, while what is below the other one
+     * waits. Entry times are given by their bits; a box whose entry is after its exit or after the end is missed. The only
+     * leaf of a hierarchy is found by every ray.
+     *
+     * <p>Both siblings are tested side by side, and all in one piece: the virtual machine does not compile a method of more than
+     * 325 bytes into its callers again (DECISIONS).
      *
      * @param latest at least 0; may have become earlier since the last call
      */
     public boolean nextLeaf(double latest) {
         int end = Float.floatToRawIntBits((float) latest);
-        while (waitingCount > 0) {
-            waitingCount--;
-            if (entryOfWaiting[waitingCount] <= end + SLACK && reachesLeaf(waiting[waitingCount], end)) {
+        int count = waitingCount;
+        while (count > 0) {
+            count--;
+            int next = entryOfWaiting[count] <= end + SLACK ? waiting[count] : NOTHING;
+            while (next >= 0 && next != NOTHING) {
+                int at = Bounds.STRIDE * next;
+                int entryX = Float.floatToRawIntBits((boxes[at + nearX] - nearOriginX) * perX);
+                int entryY = Float.floatToRawIntBits((boxes[at + nearY] - nearOriginY) * perY);
+                int entryZ = Float.floatToRawIntBits((boxes[at + nearZ] - nearOriginZ) * perZ);
+                int exitX = Float.floatToRawIntBits((boxes[at + farX] - farOriginX) * perX);
+                int exitY = Float.floatToRawIntBits((boxes[at + farY] - farOriginY) * perY);
+                int exitZ = Float.floatToRawIntBits((boxes[at + farZ] - farOriginZ) * perZ);
+                int entry = Math.max(Math.max(entryX, entryY), Math.max(entryZ, 0));
+                int exit = Math.min(Math.min(exitX, exitY), Math.min(exitZ, end));
+                int other = at + Bounds.STRIDE;
+                int otherX = Float.floatToRawIntBits((boxes[other + nearX] - nearOriginX) * perX);
+                int otherY = Float.floatToRawIntBits((boxes[other + nearY] - nearOriginY) * perY);
+                int otherZ = Float.floatToRawIntBits((boxes[other + nearZ] - nearOriginZ) * perZ);
+                int otherExitX = Float.floatToRawIntBits((boxes[other + farX] - farOriginX) * perX);
+                int otherExitY = Float.floatToRawIntBits((boxes[other + farY] - farOriginY) * perY);
+                int otherExitZ = Float.floatToRawIntBits((boxes[other + farZ] - farOriginZ) * perZ);
+                int otherEntry = Math.max(Math.max(otherX, otherY), Math.max(otherZ, 0));
+                int otherExit = Math.min(Math.min(otherExitX, otherExitY), Math.min(otherExitZ, end));
+                boolean isMet = entry <= exit + SLACK;
+                boolean isOtherMet = otherEntry <= otherExit + SLACK;
+                if (isMet && isOtherMet) {
+                    int isOtherFirst = otherEntry < entry ? 1 : 0;
+                    waiting[count] = below(next + 1 - isOtherFirst);
+                    entryOfWaiting[count] = Math.max(entry, otherEntry);
+                    count++;
+                    next = below(next + isOtherFirst);
+                } else {
+                    next = isMet ? below(next) : isOtherMet ? below(next + 1) : NOTHING;
+                }
+            }
+            if (next < 0) {
+                waitingCount = count;
+                setLeaf(next);
                 return true;
             }
         }
+        waitingCount = 0;
         return false;
     }
 
-    /** Goes down from a node, each time to the nearer child, while the other one waits. */
-    private boolean reachesLeaf(int start, int end) {
-        int count = waitingCount;
-        int node = start;
+    /** What comes below a node: the number of its first child, or below 0 the link of a leaf. */
+    private int below(int node) {
         int link = links[node];
-        while (link >= 0) {
-            int child = node + link;
-            int entry = entry(child, end);
-            int otherEntry = entry(child + 1, end);
-            if ((entry & otherEntry) < 0) {              // both are missed
-                waitingCount = count;
-                return false;
-            }
-            if ((entry | otherEntry) < 0) {              // one is
-                node = entry < 0 ? child + 1 : child;
-            } else {
-                int isOtherFirst = otherEntry < entry ? 1 : 0;
-                node = child + isOtherFirst;
-                waiting[count] = child + 1 - isOtherFirst;
-                entryOfWaiting[count] = Math.max(entry, otherEntry);
-                count++;
-            }
-            link = links[node];
-        }
-        waitingCount = count;
-        setLeaf(link);
-        return true;
-    }
-
-    /**
-     * The bits of the time at which the ray comes into a node's box, 0 if it starts inside; {@link #MISSED} if it certainly
-     * does not before the end, whose bits are given.
-     */
-    private int entry(int node, int end) {
-        int at = Bounds.STRIDE * node;
-        int entryX = Float.floatToRawIntBits((boxes[at + nearX] - nearOriginX) * perX);
-        int entryY = Float.floatToRawIntBits((boxes[at + nearY] - nearOriginY) * perY);
-        int entryZ = Float.floatToRawIntBits((boxes[at + nearZ] - nearOriginZ) * perZ);
-        int exitX = Float.floatToRawIntBits((boxes[at + farX] - farOriginX) * perX);
-        int exitY = Float.floatToRawIntBits((boxes[at + farY] - farOriginY) * perY);
-        int exitZ = Float.floatToRawIntBits((boxes[at + farZ] - farOriginZ) * perZ);
-        int entry = Math.max(Math.max(entryX, entryY), Math.max(entryZ, 0));
-        int exit = Math.min(Math.min(exitX, exitY), Math.min(exitZ, end));
-        return entry > exit + SLACK ? MISSED : entry;
+        return link < 0 ? link : node + link;
     }
 }

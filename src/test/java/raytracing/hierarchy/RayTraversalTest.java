@@ -177,14 +177,28 @@ class RayTraversalTest {
     })
     void aSingleBoxIsFoundWhenItIsMet(String why, double x, double y, double z, double dx, double dy, double dz,
                                       double latest, boolean isMet) {
-        Boxes boxes = Boxes.of(-1, -1, 0, 1, 1, 1);
+        Boxes boxes = farFromAnother(-1, -1, 0, 1, 1, 1);
         assertEquals(isMet, !visited(boxes, new double[] {x, y, z, dx, dy, dz}, 0, latest).isEmpty(), why);
+    }
+
+    /** A box in a leaf of its own: the only leaf of a hierarchy is not tested. Four equal boxes fill a leaf. */
+    private static Boxes farFromAnother(double... box) {
+        double[] numbers = new double[8 * Bounds.STRIDE];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = box[i % Bounds.STRIDE] + (i < numbers.length / 2 ? 0 : 1e4);
+        }
+        return Boxes.of(numbers);
+    }
+
+    @Test
+    void theOnlyLeafIsAlwaysFound() {
+        assertFalse(visited(Boxes.of(-1, -1, -1, 1, 1, 1), new double[] {5, 5, 5, 1, 0, 0}, 0, EVER).isEmpty());
     }
 
     /** The origin may be meant to be one error away, and a body that it lies on may be four errors off: twice that. */
     @Test
     void boxesGrowByEightTimesTheErrorOfTheOrigin() {
-        Boxes boxes = Boxes.of(-1, -1, -1, 1, 1, 1);
+        Boxes boxes = farFromAnother(-1, -1, -1, 1, 1, 1);
         double error = 0x1p-15;
         double[] close = {1 + 7.8 * error, 0, -3, 0, 0, 1};
         double[] far = {1 + 8.2 * error, 0, -3, 0, 0, 1};
