@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import raytracing.film.Bands;
 import raytracing.film.ImageFile;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.ParsedScene;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
@@ -89,7 +90,7 @@ public final class RayTracer {
     private static void draw(Command.Draw command, Reporter reporter) throws RayTracerException, IOException {
         try {
             reporter.begin();
-            Scene scene = parseScene(command.scene(), reporter);
+            Scene scene = parseScene(command.scene(), command.settings().threads(), reporter);
             Drawing picture = renderScene(scene, command.settings(), reporter);
             saveImage(picture, reporter.file(), reporter);
             Optional<ComparedPicture> other = reporter.beginComparison();
@@ -104,13 +105,13 @@ public final class RayTracer {
     }
 
     /**
-     * The first step: reads a scene file and reports its warnings.
+     * The first step: reads a scene file, on so many threads if it is long, and reports its warnings.
      *
      * @throws RayTracerException if the file is missing or wrong; has a message for each mistake, up to 20
      * @throws IOException if the file cannot be read
      */
-    public static Scene parseScene(Path file, Reporter reporter) throws RayTracerException, IOException {
-        ParsedScene parsed = SceneParser.parseFile(file, reporter.preparation());
+    public static Scene parseScene(Path file, int threads, Reporter reporter) throws RayTracerException, IOException {
+        ParsedScene parsed = SceneParser.parseFile(file, new ForkJoin(threads, reporter.preparation()));
         reporter.parsed(parsed);
         return parsed.scene();
     }

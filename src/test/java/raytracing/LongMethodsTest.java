@@ -32,6 +32,8 @@ class LongMethodsTest {
     /** The methods that are long, and why. */
     private static final Map<String, String> LONG = new TreeMap<>(Map.ofEntries(
         // on purpose: most of the work on a ray or a shadow is inlined into each of these, and would be again into its callers
+        Map.entry("RayTraversal.nextLeaf", "a way down a hierarchy"),
+        Map.entry("PyramidTraversal.isOutside", "a box and a shaft"),
         Map.entry("Shader.follow", "one straight ray"),
         Map.entry("Shader.addDirectLight", "the light of all lamps at one point"),
         Map.entry("RayQuery.advance", "one step of a ray"),

@@ -1,7 +1,7 @@
 package raytracing;
 
 import java.nio.charset.StandardCharsets;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.scene.Scene;
@@ -15,7 +15,7 @@ public final class SceneText {
     public static Scene scene(String... lines) {
         try {
             return SceneParser.parse("test scene", String.join("\n", lines).getBytes(StandardCharsets.UTF_8),
-                new Preparation()).scene();
+                ForkJoin.sequential()).scene();
         } catch (RayTracerException wrong) {
             throw new AssertionError(wrong.getMessage(), wrong);
         }

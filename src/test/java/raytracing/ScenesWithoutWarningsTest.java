@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracing.film.ImageFormat;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.ParsedScene;
 import raytracing.parse.SceneParser;
 import raytracing.program.Messages;
@@ -46,7 +46,7 @@ class ScenesWithoutWarningsTest {
     }
 
     private static void assertNoWarnings(Path file) throws Exception {
-        ParsedScene parsed = SceneParser.parseFile(file, new Preparation());
+        ParsedScene parsed = SceneParser.parseFile(file, ForkJoin.sequential());
         assertEquals(List.of(), parsed.warnings());
         Drawing drawing = new Drawing(Renderers.of(parsed.scene(), SMALL), new Cancellation(),
             Cancellation.Leftovers.DISCARD, DrawingListener.NONE);

@@ -3,6 +3,7 @@ package raytracing;
 import java.io.IOException;
 import java.nio.file.Path;
 import raytracing.film.Film;
+import raytracing.parallel.ForkJoin;
 import raytracing.parallel.Preparation;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
@@ -19,7 +20,7 @@ public final class Steps {
     }
 
     public static Scene parseScene(Path file) throws RayTracerException, IOException {
-        return SceneParser.parseFile(file, new Preparation()).scene();
+        return SceneParser.parseFile(file, ForkJoin.sequential()).scene();
     }
 
     /** The finished picture, which must be small enough for one band. */

@@ -10,8 +10,11 @@ import java.util.Arrays;
  * Computer 6, 1990; with bins: Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, IEEE Symposium on
  * Interactive Ray Tracing, 2007). Not thread-safe.
  *
+ * <p>Each bin knows the box around its bodies and the one around their centres, so one pass over a group gives both boxes of
+ * both parts, and no part is read again to find how its centres spread.
+ *
  * <p>No constant here is a length, so bodies that are all scaled by a power of two are cut in the same place. Where numbers
- * leave the range of doubles, bodies land in the first or last bin and costs become infinite: cuts may be missed, but a cut
+ * leave the range of floats, bodies land in the first or last bin and costs become infinite: cuts may be missed, but a cut
  * that is found is valid.
  */
 final class Bins {
@@ -22,112 +25,120 @@ final class Bins {
 
     private static final int SMALL_GROUP = 64;
 
-    private final double[] bodies;
+    private final float[] bodies;
     private final int[] count = new int[MANY];
-    private final double[] box = new double[Bounds.STRIDE * MANY];
-    private final double[] costAfter = new double[MANY];
-    private final double[] side = new double[Bounds.STRIDE];
+    private final float[] box = new float[Bounds.STRIDE * MANY];
+
+    /** Twice the centres, as halving them changes nothing. */
+    private final float[] centres = new float[Bounds.STRIDE * MANY];
+    private final float[] costAfter = new float[MANY];
+    private final float[] side = new float[Bounds.STRIDE];
     private int used;
     private int axis;
-    private double first;
-    private double binsPerLength;
+    private float first;
+    private float binsPerLength;
     private int cut;
 
     /** Bins for bodies that are given by their boxes, as in {@link Bounds}. */
-    Bins(double[] bodies) {
+    Bins(float[] bodies) {
         this.bodies = bodies;
     }
 
     /**
-     * Finds the best cut of the bodies at positions from (included) to (not included).
+     * Empties the bins for another group.
      *
-     * @return the sum, over both sides, of the number of bodies times half the surface; infinite without a cut
+     * @param size how many bodies it has
+     * @param spread has the box around twice their centres
+     * @param at where this box begins
      */
-    double findCut(int from, int to) {
-        used = to - from > SMALL_GROUP ? MANY : FEW;
-        chooseAxis(from, to);
-        fill(from, to);
-        sumUpCostsAfterCuts();
-        return chooseCut();
-    }
-
-    private void chooseAxis(int from, int to) {
-        double lowX = Double.POSITIVE_INFINITY;
-        double lowY = Double.POSITIVE_INFINITY;
-        double lowZ = Double.POSITIVE_INFINITY;
-        double highX = Double.NEGATIVE_INFINITY;
-        double highY = Double.NEGATIVE_INFINITY;
-        double highZ = Double.NEGATIVE_INFINITY;
-        for (int i = from; i < to; i++) {
-            int body = Bounds.STRIDE * i;
-            double x = twiceCentre(body);
-            double y = twiceCentre(body + 1);
-            double z = twiceCentre(body + 2);
-            lowX = Math.min(lowX, x);
-            lowY = Math.min(lowY, y);
-            lowZ = Math.min(lowZ, z);
-            highX = Math.max(highX, x);
-            highY = Math.max(highY, y);
-            highZ = Math.max(highZ, z);
-        }
-        double spreadX = highX - lowX;
-        double spreadY = highY - lowY;
-        double spreadZ = highZ - lowZ;
-        if (spreadX >= spreadY && spreadX >= spreadZ) {
-            setAxis(0, lowX, spreadX);
-        } else if (spreadY >= spreadZ) {
-            setAxis(1, lowY, spreadY);
+    void begin(int size, float[] spread, int at) {
+        used = size > SMALL_GROUP ? MANY : FEW;
+        float x = spread[at + 3] - spread[at];
+        float y = spread[at + 4] - spread[at + 1];
+        float z = spread[at + 5] - spread[at + 2];
+        if (x >= y && x >= z) {
+            setAxis(0, spread[at], x);
+        } else if (y >= z) {
+            setAxis(1, spread[at + 1], y);
         } else {
-            setAxis(2, lowZ, spreadZ);
+            setAxis(2, spread[at + 2], z);
         }
-    }
-
-    private double twiceCentre(int at) {
-        return bodies[at] + bodies[at + Bounds.TO_HIGH];
-    }
-
-    private void setAxis(int chosen, double low, double spread) {
-        axis = chosen;
-        first = low;
-        binsPerLength = used / spread;
-    }
-
-    private void fill(int from, int to) {
         Arrays.fill(count, 0, used, 0);
         for (int i = 0; i < used; i++) {
             Bounds.clear(box, Bounds.STRIDE * i);
+            Bounds.clear(centres, Bounds.STRIDE * i);
         }
+    }
+
+    private void setAxis(int chosen, float low, float length) {
+        axis = chosen;
+        first = low;
+        binsPerLength = used / length;
+    }
+
+    /** Adds the bodies at positions from (included) to (not included). */
+    void fill(int from, int to) {
         for (int i = from; i < to; i++) {
             int body = Bounds.STRIDE * i;
             int bin = bin(body);
             count[bin]++;
             Bounds.include(box, Bounds.STRIDE * bin, bodies, body);
+            includeCentre(centres, Bounds.STRIDE * bin, bodies, body);
+        }
+    }
+
+    /** Grows a box until it holds twice the centre of another box. */
+    static void includeCentre(float[] boxes, int at, float[] others, int other) {
+        float x = others[other] + others[other + 3];
+        float y = others[other + 1] + others[other + 4];
+        float z = others[other + 2] + others[other + 5];
+        boxes[at] = Math.min(boxes[at], x);
+        boxes[at + 1] = Math.min(boxes[at + 1], y);
+        boxes[at + 2] = Math.min(boxes[at + 2], z);
+        boxes[at + 3] = Math.max(boxes[at + 3], x);
+        boxes[at + 4] = Math.max(boxes[at + 4], y);
+        boxes[at + 5] = Math.max(boxes[at + 5], z);
+    }
+
+    /** Adds what other bins, begun for the same group, hold of it. */
+    void add(Bins others) {
+        for (int i = 0; i < used; i++) {
+            count[i] += others.count[i];
+            Bounds.include(box, Bounds.STRIDE * i, others.box, Bounds.STRIDE * i);
+            Bounds.include(centres, Bounds.STRIDE * i, others.centres, Bounds.STRIDE * i);
         }
     }
 
     private int bin(int body) {
-        return Math.min(used - 1, (int) ((twiceCentre(body + axis) - first) * binsPerLength));
+        float twiceCentre = bodies[body + axis] + bodies[body + axis + Bounds.TO_HIGH];
+        return Math.min(used - 1, (int) ((twiceCentre - first) * binsPerLength));
     }
 
-    private void sumUpCostsAfterCuts() {
+    /**
+     * Finds the best cut.
+     *
+     * @return the sum, over both sides, of the number of bodies times half the surface; infinite without a cut
+     */
+    float findCut() {
         int bodiesAfter = 0;
         Bounds.clear(side, 0);
         for (int i = used - 1; i > 0; i--) {
             bodiesAfter += count[i];
             Bounds.include(side, 0, box, Bounds.STRIDE * i);
-            costAfter[i] = bodiesAfter == 0 ? Double.POSITIVE_INFINITY : bodiesAfter * Bounds.halfArea(side, 0);
+            costAfter[i] = bodiesAfter == 0 ? Float.POSITIVE_INFINITY : bodiesAfter * Bounds.halfArea(side, 0);
         }
+        return chooseCut();
     }
 
-    private double chooseCut() {
+    private float chooseCut() {
         cut = 0;
-        double cost = Double.POSITIVE_INFINITY;
+        float cost = Float.POSITIVE_INFINITY;
         int bodiesBefore = 0;
         Bounds.clear(side, 0);
         for (int i = 1; i < used; i++) {
             bodiesBefore += count[i - 1];
             Bounds.include(side, 0, box, Bounds.STRIDE * (i - 1));
-            double sum = bodiesBefore * Bounds.halfArea(side, 0) + costAfter[i];
+            float sum = bodiesBefore * Bounds.halfArea(side, 0) + costAfter[i];
             if (bodiesBefore > 0 && sum < cost) {
                 cut = i;
                 cost = sum;
@@ -141,12 +152,21 @@ final class Bins {
         return bin(body) < cut;
     }
 
-    /** Writes the boxes around both sides of the cut, one after the other. */
-    void writeSides(double[] boxes, int at) {
+    /** Writes the boxes around the bodies on both sides of the cut, one after the other. */
+    void writeSides(float[] boxes, int at) {
+        writeSides(box, boxes, at);
+    }
+
+    /** Writes the boxes around twice the centres on both sides of the cut, one after the other. */
+    void writeSpreads(float[] spreads, int at) {
+        writeSides(centres, spreads, at);
+    }
+
+    private void writeSides(float[] ofBins, float[] boxes, int at) {
         Bounds.clear(boxes, at);
         Bounds.clear(boxes, at + Bounds.STRIDE);
         for (int i = 0; i < used; i++) {
-            Bounds.include(boxes, i < cut ? at : at + Bounds.STRIDE, box, Bounds.STRIDE * i);
+            Bounds.include(boxes, i < cut ? at : at + Bounds.STRIDE, ofBins, Bounds.STRIDE * i);
         }
     }
 }

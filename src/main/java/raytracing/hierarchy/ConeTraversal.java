@@ -52,12 +52,18 @@ public final class ConeTraversal extends RegionTraversal {
     /** Every comparison is such that NaN leaves no box outside. */
     @Override
     boolean isOutside(int box) {
-        double x = 0.5 * (boxes[box] - apexX + (boxes[box + 3] - apexX));
-        double y = 0.5 * (boxes[box + 1] - apexY + (boxes[box + 4] - apexY));
-        double z = 0.5 * (boxes[box + 2] - apexZ + (boxes[box + 5] - apexZ));
-        double halfX = 0.5 * (boxes[box + 3] - boxes[box]) + margin;
-        double halfY = 0.5 * (boxes[box + 4] - boxes[box + 1]) + margin;
-        double halfZ = 0.5 * (boxes[box + 5] - boxes[box + 2]) + margin;
+        double fromX = boxes[box] - apexX;
+        double fromY = boxes[box + 1] - apexY;
+        double fromZ = boxes[box + 2] - apexZ;
+        double toX = boxes[box + 3] - apexX;
+        double toY = boxes[box + 4] - apexY;
+        double toZ = boxes[box + 5] - apexZ;
+        double x = 0.5 * (fromX + toX);
+        double y = 0.5 * (fromY + toY);
+        double z = 0.5 * (fromZ + toZ);
+        double halfX = 0.5 * (toX - fromX) + margin;
+        double halfY = 0.5 * (toY - fromY) + margin;
+        double halfZ = 0.5 * (toZ - fromZ) + margin;
         double slack = ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + halfX + halfY + halfZ);
         double along = x * axisX + y * axisY + z * axisZ;
         return along - reach(axisX, axisY, axisZ, halfX, halfY, halfZ) > latest + slack + ROUNDING * latest

@@ -82,14 +82,16 @@ public final class PyramidTraversal extends RegionTraversal {
         normals[3 * face + 2] = z;
     }
 
-    /** Every comparison is such that NaN leaves no box outside. */
+    /**
+     * Every comparison is such that NaN leaves no box outside. In one piece: the virtual machine does not compile a method of
+     * more than 325 bytes into its callers again (DECISIONS).
+     */
     @Override
     boolean isOutside(int box) {
-        return boxes[box] > highX || boxes[box + 1] > highY || boxes[box + 2] > highZ
-            || boxes[box + 3] < lowX || boxes[box + 4] < lowY || boxes[box + 5] < lowZ || isBeyondAFace(box);
-    }
-
-    private boolean isBeyondAFace(int box) {
+        if (boxes[box] > highX || boxes[box + 1] > highY || boxes[box + 2] > highZ
+            || boxes[box + 3] < lowX || boxes[box + 4] < lowY || boxes[box + 5] < lowZ) {
+            return true;
+        }
         double fromX = boxes[box] - apexX;
         double fromY = boxes[box + 1] - apexY;
         double fromZ = boxes[box + 2] - apexZ;

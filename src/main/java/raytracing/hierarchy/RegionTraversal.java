@@ -11,12 +11,12 @@ abstract class RegionTraversal extends Traversal {
             if (!isOutside(Bounds.STRIDE * node)) {
                 int link = links[node];
                 if (link < 0) {
-                    setLeaf(node, link);
+                    setLeaf(link);
                     waitingCount = count;
                     return true;
                 }
-                waiting[count] = link + 1;
-                waiting[count + 1] = link;
+                waiting[count] = node + link + 1;
+                waiting[count + 1] = node + link;
                 count += 2;
             }
         }

@@ -9,9 +9,8 @@ abstract class Traversal {
     final int[] waiting = new int[HierarchyBuilder.GREATEST_DEPTH + 1];
     int waitingCount;
 
-    double[] boxes;
+    float[] boxes;
     int[] links;
-    private byte[] sizes;
     private int from;
     private int to;
 
@@ -19,15 +18,14 @@ abstract class Traversal {
     final void start(Hierarchy hierarchy) {
         boxes = hierarchy.boxes();
         links = hierarchy.links();
-        sizes = hierarchy.sizes();
         waiting[0] = Hierarchy.ROOT;
         waitingCount = 1;
     }
 
-    /** Makes a leaf, whose link is given too, the one found last. */
-    final void setLeaf(int node, int link) {
-        from = ~link;
-        to = from + sizes[node];
+    /** Makes a leaf, given by its link, the one found last. */
+    final void setLeaf(int link) {
+        from = Nodes.from(link);
+        to = Nodes.to(link);
     }
 
     /** The leaf's first position in the hierarchy's order. */

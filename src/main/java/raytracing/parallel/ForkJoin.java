@@ -7,6 +7,9 @@ import java.util.concurrent.atomic.AtomicInteger;
  * is done. Thread-safe: tasks may fork again.
  */
 public final class ForkJoin {
+    /** Simple work on so many numbers takes longer than handing half of it to another thread. */
+    public static final int LARGE_RANGE = 1 << 16;
+
     private final AtomicInteger idleThreads;
     private final Preparation preparation;
 
@@ -38,6 +41,27 @@ public final class ForkJoin {
             idleThreads.getAndIncrement();
         }
         helper.rethrow();
+    }
+
+    /** Runs a task over the numbers from 0 to before a size, in ranges of {@link #LARGE_RANGE} numbers at most. */
+    public void runRanges(int size, Range task) {
+        runRanges(0, size, LARGE_RANGE, task);
+    }
+
+    /** Runs a task over the numbers from {@code from} to before {@code to}, in ranges: halves of halves and so on. */
+    public void runRanges(int from, int to, int largest, Range task) {
+        if (to - from <= largest) {
+            task.run(from, to);
+        } else {
+            int middle = (from + to) >>> 1;
+            runBoth(() -> runRanges(from, middle, largest, task), () -> runRanges(middle, to, largest, task));
+        }
+    }
+
+    /** Work on the numbers of a range. */
+    public interface Range {
+        /** Works on those from {@code from} to before {@code to}; changes nothing that belongs to others. */
+        void run(int from, int to);
     }
 
     /** Reports how much there is to do, in bodies or cells. */

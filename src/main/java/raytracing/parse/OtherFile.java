@@ -36,7 +36,7 @@ final class OtherFile {
         String word = "";
         boolean hasZeros = false;
         text.rewind();
-        while (text.nextLine()) {
+        while (text.nextLine(text.length())) {
             for (int i = 0; i < text.count() && word.length() < LONG_ENOUGH; i++) {
                 word = text.token(i, StandardCharsets.ISO_8859_1);
             }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import raytracing.color.Color;
 import raytracing.math.Vector;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
 import raytracing.scene.Lens;
@@ -16,9 +16,6 @@ import raytracing.scene.Material;
 import raytracing.scene.Pinhole;
 import raytracing.scene.Scene;
 import raytracing.scene.Settings;
-import raytracing.surface.Box;
-import raytracing.surface.Plane;
-import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
 
 /**
@@ -43,6 +40,12 @@ public final class SceneParser {
     /** After so many lines it reports how much is read: so rarely that it costs nothing. */
     private static final int LINES_UNTIL_REPORT = 1 << 12;
 
+    /** So many bytes are read by one thread: more than what mostly stands before the surfaces, and than most files have. */
+    private static final int FIRST_BYTES = 1 << 16;
+
+    /** So many bytes of the rest make a part, long enough that handing it to another thread costs far less than reading it. */
+    private static final int BYTES_OF_A_PART = 1 << 19;
+
     private final String fileName;
     private final SceneText text;
     private final Findings problems;
@@ -54,7 +57,7 @@ public final class SceneParser {
     private final List<Light> lights = new ArrayList<>();
     private final Single<Camera> camera = new Single<>();
     private final Single<Settings> settings = new Single<>();
-    private final Preparation preparation;
+    private final ForkJoin workers;
     private int linesRead;
     private int bytesReported;
     private int unknownLines;
@@ -67,9 +70,9 @@ public final class SceneParser {
         private int line;
     }
 
-    private SceneParser(String fileName, byte[] bytes, Preparation preparation) {
+    private SceneParser(String fileName, byte[] bytes, ForkJoin workers) {
         this.fileName = fileName;
-        this.preparation = preparation;
+        this.workers = workers;
         text = new SceneText(bytes);
         problems = new Findings(fileName, MOST_ERRORS_LISTED);
         warnings = new Findings(fileName, MOST_WARNINGS_LISTED);
@@ -79,30 +82,38 @@ public final class SceneParser {
     /**
      * Reads a scene file and reports how many of its bytes are read.
      *
+     * @param workers threads that read a long file; the result is the same
      * @throws RayTracerException if there is no such file, or its errors, up to 20 messages
      * @throws IOException if the file is there and cannot be read
      */
-    public static ParsedScene parseFile(Path file, Preparation preparation) throws RayTracerException, IOException {
-        return parse(file.toString(), SceneFile.bytes(file), preparation);
+    public static ParsedScene parseFile(Path file, ForkJoin workers) throws RayTracerException, IOException {
+        return parse(file.toString(), SceneFile.bytes(file), workers);
     }
 
     /**
      * Reads the bytes of a scene file, which messages call {@code fileName}.
      *
+     * @param workers threads that read a long file; the result is the same
      * @throws RayTracerException its errors, up to 20 messages
      */
-    public static ParsedScene parse(String fileName, byte[] bytes, Preparation preparation) throws RayTracerException {
-        preparation.expect(bytes.length);
-        return new SceneParser(fileName, bytes, preparation).parsed();
+    public static ParsedScene parse(String fileName, byte[] bytes, ForkJoin workers) throws RayTracerException {
+        return parse(fileName, bytes, workers, FIRST_BYTES, BYTES_OF_A_PART);
     }
 
-    private ParsedScene parsed() throws RayTracerException {
-        while (values.nextLine()) {
-            linesRead++;
-            readLine();
-            if (linesRead % LINES_UNTIL_REPORT == 0) {
-                preparation.advance(text.bytesRead() - bytesReported);
-                bytesReported = text.bytesRead();
+    /** The same with other places at which the file is divided. */
+    static ParsedScene parse(String fileName, byte[] bytes, ForkJoin workers, int firstBytes, int bytesOfAPart)
+            throws RayTracerException {
+        workers.expect(bytes.length);
+        return new SceneParser(fileName, bytes, workers).parsed(firstBytes, bytesOfAPart);
+    }
+
+    private ParsedScene parsed(int firstBytes, int bytesOfAPart) throws RayTracerException {
+        readLines(Math.min(firstBytes, text.length()));
+        for (SurfaceLines lines : aheadOfTheRest(bytesOfAPart)) {
+            if (lines.arePlain()) {
+                addAll(lines);
+            } else {
+                readLines(lines.end());
             }
         }
         if (largestMaterial > materialCount) {
@@ -116,6 +127,45 @@ public final class SceneParser {
         Scene scene = new Scene(camera.value.orElseThrow(), settings.value.orElseThrow(), materials, surfaces, lights);
         addWarnings(scene);
         return new ParsedScene(scene, warnings.listed());
+    }
+
+    /** Reads all lines that begin before a place. */
+    private void readLines(int end) {
+        while (values.nextLine(end)) {
+            linesRead++;
+            readLine();
+            if (linesRead % LINES_UNTIL_REPORT == 0) {
+                workers.advance(text.bytesRead() - bytesReported);
+                bytesReported = text.bytesRead();
+            }
+        }
+    }
+
+    /** Lets all processors read what is left, if it is much, as if it were nothing but surfaces. */
+    private List<SurfaceLines> aheadOfTheRest(int bytesOfAPart) {
+        List<SurfaceLines> all = new ArrayList<>();
+        int start = text.bytesRead();
+        while (start < text.length()) {
+            int end = text.lineStart(Math.min(text.length() - start, bytesOfAPart) + start);
+            all.add(new SurfaceLines(text.part(start, end), sceneWarnings.ofAPart(), materialCount));
+            start = end;
+        }
+        if (all.size() > 1) {
+            workers.runRanges(0, all.size(), 1, (from, to) -> all.get(from).read(workers));
+        }
+        return all;
+    }
+
+    /** Adds the surfaces of lines that were read ahead, as if they had been read here. */
+    private void addAll(SurfaceLines lines) {
+        linesRead += lines.linesRead();
+        largestMaterial = Math.max(largestMaterial, lines.largestMaterial());
+        if (problems.isEmpty()) {
+            sceneWarnings.addAll(lines.warnings(), lines.surfaces(), surfaces.size());
+            surfaces.addAll(lines.surfaces());
+        }
+        text.skip(lines.text());
+        bytesReported = text.bytesRead();
     }
 
     private void addWarnings(Scene scene) {
@@ -207,24 +257,13 @@ public final class SceneParser {
     /** Keeps nothing of a scene with errors: it will not be drawn, and a million wrong lines need no memory. */
     private void readSurface(Code code) {
         if (values.isComplete(code)) {
-            Surface surface = switch (code) {
-                case SPH -> new Sphere(values.vector("centre"), values.number("radius", Range.ABOVE_0), materialIndex());
-                case BOX -> new Box(values.vector("centre"), values.number("edge", Range.ABOVE_0), materialIndex());
-                default -> new Plane(normal(), values.number("offset", Range.ANY), materialIndex());
-            };
+            Surface surface = values.surface(code);
+            largestMaterial = Math.max(largestMaterial, surface.material() + 1);
             if (problems.isEmpty()) {
                 sceneWarnings.addSurface(surface, surfaces.size(), materialCount);
                 surfaces.add(surface);
             }
         }
-    }
-
-    private Vector normal() {
-        Vector normal = values.vector("normal");
-        if (normal.isZero()) {
-            values.refuse("normal", "a direction, not zero", shown(normal));
-        }
-        return normal;
     }
 
     private void readLight() {
@@ -275,13 +314,6 @@ public final class SceneParser {
 
     private static String shown(Vector vector) {
         return vector.x() + " " + vector.y() + " " + vector.z();
-    }
-
-    /** The material's index, from 0; its line may still follow. */
-    private int materialIndex() {
-        int number = values.wholeNumber("material", Range.WHOLE_FROM_1);
-        largestMaterial = Math.max(largestMaterial, number);
-        return number - 1;
     }
 
     /** Reads the file once more, as line numbers are not kept, and reports every surface whose material no line has. */

@@ -28,6 +28,7 @@ final class SceneText {
     private final byte[] bytes;
     private final boolean isMarkedUtf16;
     private final DecimalReader decimals;
+    private final int end;
     private int position;
     private int lineNumber;
     private int[] starts = new int[TOKENS_OF_A_USUAL_LINE];
@@ -39,6 +40,44 @@ final class SceneText {
         this.bytes = withoutEndOfFile(
             isMarkedUtf16 ? new String(bytes, StandardCharsets.UTF_16).getBytes(StandardCharsets.UTF_8) : bytes);
         decimals = new DecimalReader(this.bytes);
+        end = this.bytes.length;
+    }
+
+    private SceneText(SceneText whole, int from, int to) {
+        isMarkedUtf16 = whole.isMarkedUtf16;
+        bytes = whole.bytes;
+        decimals = new DecimalReader(bytes);
+        position = from;
+        end = to;
+    }
+
+    /** The lines between two places at which lines begin or the text ends; it counts them from 1. */
+    SceneText part(int from, int to) {
+        return new SceneText(this, from, to);
+    }
+
+    /** The first place at or after another one, which is in or before the text, at which a line begins or the text ends. */
+    int lineStart(int from) {
+        int i = from;
+        while (i < end && !(i > 0 && isLineEnd(bytes[i - 1]) && !isPair(i - 1))) {
+            i++;
+        }
+        return Math.min(i, end);
+    }
+
+    private boolean isPair(int i) {
+        return i + 1 < end && bytes[i] == '\r' && bytes[i + 1] == '\n';
+    }
+
+    /** Goes on behind a part whose lines were read elsewhere. */
+    void skip(SceneText part) {
+        position = part.end;
+        lineNumber += part.lineNumber;
+    }
+
+    /** How many bytes there are. */
+    int length() {
+        return end;
     }
 
     private static boolean isUtf16(byte[] bytes) {
@@ -78,10 +117,10 @@ final class SceneText {
         return position;
     }
 
-    /** Goes to the next line that has a token; false if there is none. */
-    boolean nextLine() {
+    /** Goes to the next line that has a token and begins before a place; false if there is none, the place is reached then. */
+    boolean nextLine(int limit) {
         count = 0;
-        while (count == 0 && position < bytes.length) {
+        while (count == 0 && position < limit) {
             readLine();
         }
         return count > 0;
@@ -91,22 +130,21 @@ final class SceneText {
     private void readLine() {
         lineNumber++;
         int i = position;
-        while (i < bytes.length && !isLineEnd(bytes[i])) {
+        while (i < end && !isLineEnd(bytes[i])) {
             int whiteSpace = whiteSpaceLength(i);
             if (whiteSpace > 0) {
                 i += whiteSpace;
             } else if (bytes[i] == REMARK) {
-                while (i < bytes.length && !isLineEnd(bytes[i])) {
+                while (i < end && !isLineEnd(bytes[i])) {
                     i++;
                 }
             } else {
-                int end = tokenEnd(i);
-                add(i, end);
-                i = end;
+                int tokenEnd = tokenEnd(i);
+                add(i, tokenEnd);
+                i = tokenEnd;
             }
         }
-        boolean isPair = i + 1 < bytes.length && bytes[i] == '\r' && bytes[i + 1] == '\n';
-        position = Math.min(isPair ? i + 2 : i + 1, bytes.length);
+        position = Math.min(isPair(i) ? i + 2 : i + 1, end);
     }
 
     /** How many tokens this line has, the code included. */
@@ -147,19 +185,19 @@ final class SceneText {
         return ends[0] - start == 3 ? Code.of(bytes[start], bytes[start + 1], bytes[start + 2]) : Code.UNKNOWN;
     }
 
-    private void add(int start, int end) {
+    private void add(int start, int tokenEnd) {
         if (count == starts.length) {
             starts = Arrays.copyOf(starts, 2 * count);
             ends = Arrays.copyOf(ends, 2 * count);
         }
         starts[count] = start;
-        ends[count] = end;
+        ends[count] = tokenEnd;
         count++;
     }
 
     private int tokenEnd(int start) {
         int i = start;
-        while (i < bytes.length && (bytes[i] > ' ' || !isLineEnd(bytes[i]) && whiteSpaceLength(i) == 0)) {
+        while (i < end && (bytes[i] > ' ' || !isLineEnd(bytes[i]) && whiteSpaceLength(i) == 0)) {
             i++;
         }
         return i;

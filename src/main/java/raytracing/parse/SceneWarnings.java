@@ -28,6 +28,26 @@ final class SceneWarnings {
     private boolean isEyeKnown;
     private Vector eye = Vector.ZERO;
 
+    /** For surfaces that are read ahead, with the same eye, if it is known. */
+    SceneWarnings ofAPart() {
+        SceneWarnings part = new SceneWarnings();
+        part.isEyeKnown = isEyeKnown;
+        part.eye = eye;
+        return part;
+    }
+
+    /** Adds what was collected from surfaces that were read ahead; the first of them is at {@code first} in the scene. */
+    void addAll(SceneWarnings part, List<Surface> surfaces, int first) {
+        usedMaterials.or(part.usedMaterials);
+        areMaterialsUsedAhead |= part.areMaterialsUsedAhead;
+        for (int index : part.bodiesAroundTheEye) {
+            bodiesAroundTheEye.add(first + index);
+        }
+        if (isEyeKnown && !part.isEyeKnown) {
+            addAround(surfaces, first);
+        }
+    }
+
     void addMaterial(Material material) {
         hasAmbientColors |= !material.ambient().isBlack();
     }
@@ -48,9 +68,14 @@ final class SceneWarnings {
     void setEye(Vector position, List<Surface> before) {
         eye = position;
         isEyeKnown = true;
-        for (int i = 0; i < before.size(); i++) {
-            if (depth(before.get(i), eye) > 0) {
-                bodiesAroundTheEye.add(i);
+        addAround(before, 0);
+    }
+
+    /** Adds those of some surfaces that have the eye inside; the first of them is at {@code first} in the scene. */
+    private void addAround(List<Surface> surfaces, int first) {
+        for (int i = 0; i < surfaces.size(); i++) {
+            if (depth(surfaces.get(i), eye) > 0) {
+                bodiesAroundTheEye.add(first + i);
             }
         }
     }

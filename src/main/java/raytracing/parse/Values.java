@@ -6,6 +6,10 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import raytracing.color.Color;
 import raytracing.math.Vector;
+import raytracing.surface.Box;
+import raytracing.surface.Plane;
+import raytracing.surface.Sphere;
+import raytracing.surface.Surface;
 
 /**
  * The values of a scene file, line by line, each line from left to right. A value that is not allowed is reported as a
@@ -34,11 +38,16 @@ final class Values {
 
     /** Goes to the next line that has a code; false if there is none. */
     boolean nextLine() {
+        return nextLine(text.length());
+    }
+
+    /** Goes to the next line that has a code and begins before a place in the text; false if there is none. */
+    boolean nextLine(int limit) {
         next = 1;
         problemsFound = 0;
         areSeparatorsRefused = false;
         isColorDoubted = false;
-        return text.nextLine();
+        return text.nextLine(limit);
     }
 
     /** Whether this line has as many values as its code takes; reports a problem if not. */
@@ -63,6 +72,28 @@ final class Values {
 
     boolean hasMore() {
         return next < text.count();
+    }
+
+    /** The surface of a complete line; its material's line may still follow. */
+    Surface surface(Code code) {
+        // Java evaluates arguments from left to right, so each constructor reads its values in the order of the line.
+        return switch (code) {
+            case SPH -> new Sphere(vector("centre"), number("radius", Range.ABOVE_0), materialIndex());
+            case BOX -> new Box(vector("centre"), number("edge", Range.ABOVE_0), materialIndex());
+            default -> new Plane(normal(), number("offset", Range.ANY), materialIndex());
+        };
+    }
+
+    private Vector normal() {
+        Vector normal = vector("normal");
+        if (normal.isZero()) {
+            refuse("normal", "a direction, not zero", normal.x() + " " + normal.y() + " " + normal.z());
+        }
+        return normal;
+    }
+
+    private int materialIndex() {
+        return wholeNumber("material", Range.WHOLE_FROM_1) - 1;
     }
 
     Vector vector(String name) {

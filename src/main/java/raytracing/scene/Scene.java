@@ -1,5 +1,7 @@
 package raytracing.scene;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import raytracing.surface.Surface;
 
@@ -8,10 +10,10 @@ import raytracing.surface.Surface;
  * list of materials.
  */
 public record Scene(Camera camera, Settings settings, List<Material> materials, List<Surface> surfaces, List<Light> lights) {
-    /** Copies the lists. */
+    /** Copies the lists; the surfaces in one move, for there may be a million ({@code List.copyOf} looks at each of them). */
     public Scene {
         materials = List.copyOf(materials);
-        surfaces = List.copyOf(surfaces);
+        surfaces = Collections.unmodifiableList(new ArrayList<>(surfaces));
         lights = List.copyOf(lights);
     }
 }

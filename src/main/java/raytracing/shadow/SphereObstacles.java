@@ -2,6 +2,7 @@ package raytracing.shadow;
 
 import raytracing.area.ConvexShadows;
 import raytracing.math.Basis;
+import raytracing.surface.Body;
 import raytracing.surface.Segment;
 import raytracing.surface.Sphere;
 import raytracing.trace.CrossedSurfaces;
@@ -113,10 +114,12 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
     private static final double POWER_ERROR = 0x1p-47;
 
     private final Sphere[] spheres;
+    private final double[] packed;
 
     SphereObstacles(Shaft shaft, PreparedScene scene) {
         super(shaft, scene, scene.spheres(), new SphereObstacle[0]);
         spheres = scene.spheres().spheres();
+        packed = scene.spheres().packed();
     }
 
     @Override
@@ -142,13 +145,14 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
         double depth = shaft.depth;
         int surfaceLeft = shaft.hit.surface();
         for (int i = from; i < to && !certain.isDark(); i++) {
-            Sphere sphere = spheres[i];
-            double fx = sphere.centre().x() - px;
-            double fy = sphere.centre().y() - py;
-            double fz = sphere.centre().z() - pz;
+            int at = Body.PACKED * i;
+            double fx = packed[at] - px;
+            double fy = packed[at + 1] - py;
+            double fz = packed[at + 2] - pz;
+            double radius = packed[at + 3];
             double mz = fx * wx + fy * wy + fz * wz;
-            double slack = shaft.slack(fx, fy, fz, sphere.radius());
-            double grown = sphere.radius() + slack;
+            double slack = shaft.slack(fx, fy, fz, radius);
+            double grown = radius + slack;
             if (mz + grown < 0 || mz - grown > depth || numbers[i] == surfaceLeft) {
                 continue;                    // before or behind the shaft
             }
@@ -156,7 +160,7 @@ final class SphereObstacles extends Obstacles<SphereObstacles.SphereObstacle> {
             double my = fx * axes.vx() + fy * axes.vy() + fz * axes.vz();
             double wall = shaft.halfWidth * mz + grown * shaft.slant;
             if (Math.abs(mx) * depth <= wall && Math.abs(my) * depth <= wall) {
-                sort(sphere, numbers[i], mx, my, mz, slack, certain);
+                sort(spheres[i], numbers[i], mx, my, mz, slack, certain);
             }
         }
     }

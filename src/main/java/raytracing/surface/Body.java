@@ -5,6 +5,12 @@ import raytracing.math.Vector;
 
 /** A surface that bounds a convex body. */
 public sealed interface Body extends Surface permits Sphere, Box {
+    /** How many numbers tell where a body is and how large. */
+    int PACKED = 4;
+
+    /** Writes the coordinates of its middle and its size, {@link #PACKED} numbers in all, from an index on. */
+    void pack(double[] numbers, int at);
+
     /** Sets the i-th bounds to those of this body. */
     void bound(Bounds bounds, int i);
 

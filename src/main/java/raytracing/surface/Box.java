@@ -66,23 +66,32 @@ public record Box(Vector centre, double edge, int material) implements Body {
     @Override
     public double firstCrossing(Ray ray, double latest) {
         RayOrigin o = ray.origin;
-        return isPlainlyMissed(o.x, o.y, o.z, ray.dx, ray.dy, ray.dz, latest, o.error) ? MISS : firstCrossing(ray);
+        return isPlainlyMissed(centre.x(), centre.y(), centre.z(), edge, o.x, o.y, o.z,
+            ray.dx, ray.dy, ray.dz, latest, o.error) ? MISS : firstCrossing(ray);
     }
 
     /**
-     * Whether a line plainly passes this cube: the times at which it passes the faces differ by more than their errors. Takes
+     * Whether a line plainly passes a cube: the times at which it passes the faces differ by more than their errors. Takes
      * plain numbers, which loops over many boxes keep in registers.
      *
+     * @param packed of the cube, from {@code at} on
      * @param latest the last t that matters, above 0
      * @param error how far each coordinate of the points at t = 0 and at {@code latest} may be off
      * @return true only if o + t d is outside the cube for all t from 0 to {@code latest}, both included
      */
-    public boolean isPlainlyMissed(double ox, double oy, double oz, double dx, double dy, double dz, double latest,
-                                   double error) {
+    public static boolean isPlainlyMissed(double[] packed, int at, double ox, double oy, double oz,
+                                          double dx, double dy, double dz, double latest, double error) {
+        return isPlainlyMissed(packed[at], packed[at + 1], packed[at + 2], packed[at + 3], ox, oy, oz, dx, dy, dz,
+            latest, error);
+    }
+
+    /** The same, given the middle and the edge of a cube. */
+    private static boolean isPlainlyMissed(double x, double y, double z, double edge, double ox, double oy, double oz,
+                                           double dx, double dy, double dz, double latest, double error) {
         double h = edge / 2;
-        double mx = Slabs.ahead(ox, dx, centre.x());
-        double my = Slabs.ahead(oy, dy, centre.y());
-        double mz = Slabs.ahead(oz, dz, centre.z());
+        double mx = Slabs.ahead(ox, dx, x);
+        double my = Slabs.ahead(oy, dy, y);
+        double mz = Slabs.ahead(oz, dz, z);
         double grown = h + margin(h, error);
         double ix = 1 / Math.abs(dx);
         double iy = 1 / Math.abs(dy);
@@ -187,7 +196,8 @@ public record Box(Vector centre, double edge, int material) implements Body {
     @Override
     public boolean isCrossed(Segment segment, int number) {
         RayOrigin o = segment.start;
-        return !isPlainlyMissed(o.x, o.y, o.z, segment.dx, segment.dy, segment.dz, 1, segment.error)
+        return !isPlainlyMissed(centre.x(), centre.y(), centre.z(), edge, o.x, o.y, o.z,
+                segment.dx, segment.dy, segment.dz, 1, segment.error)
             && isCrossedClosely(segment, number);
     }
 
@@ -376,6 +386,14 @@ public record Box(Vector centre, double edge, int material) implements Body {
      */
     public int side(RayOrigin point, int number, int axis) {
         return ExactBox.of(this).side(point, number, axis);
+    }
+
+    @Override
+    public void pack(double[] numbers, int at) {
+        numbers[at] = centre.x();
+        numbers[at + 1] = centre.y();
+        numbers[at + 2] = centre.z();
+        numbers[at + 3] = edge;
     }
 
     @Override

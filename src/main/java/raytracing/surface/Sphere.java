@@ -106,17 +106,22 @@ public record Sphere(Vector centre, double radius, int material) implements Body
     private static final double FRACTION = 0x1p-4;
 
     /**
-     * Whether a line plainly passes this sphere. Most lines pass most spheres so far off that the textbook's discriminant,
+     * Whether a line plainly passes a sphere. Most lines pass most spheres so far off that the textbook's discriminant,
      * b b - a power, decides, even with its whole error against it. Takes plain numbers, which loops over many spheres keep
      * in registers.
      *
+     * @param packed of the sphere, from {@code at} on
      * @param error how far each coordinate of the line's ends may be off; a sphere within this of an end is not passed
      * @return true only if o + t d is outside the sphere for all t
      */
-    public boolean isPlainlyMissed(double ox, double oy, double oz, double dx, double dy, double dz, double error) {
-        double fx = ox - centre.x();
-        double fy = oy - centre.y();
-        double fz = oz - centre.z();
+    public static boolean isPlainlyMissed(double[] packed, int at, double ox, double oy, double oz,
+                                          double dx, double dy, double dz, double error) {
+        return isPlainlyMissed(ox - packed[at], oy - packed[at + 1], oz - packed[at + 2], packed[at + 3], dx, dy, dz, error);
+    }
+
+    /** The same, given the way to the origin from the centre of a sphere. */
+    private static boolean isPlainlyMissed(double fx, double fy, double fz, double radius, double dx, double dy, double dz,
+                                           double error) {
         double b = fx * dx + fy * dy + fz * dz;
         double a = dx * dx + dy * dy + dz * dz;
         double grown = radius + 4 * error;   // an end within its error of the sphere is within sqrt(12) of it
@@ -325,7 +330,8 @@ public record Sphere(Vector centre, double radius, int material) implements Body
     @Override
     public boolean isCrossed(Segment segment, int number) {
         RayOrigin o = segment.start;
-        return !isPlainlyMissed(o.x, o.y, o.z, segment.dx, segment.dy, segment.dz, segment.error)
+        return !isPlainlyMissed(o.x - centre.x(), o.y - centre.y(), o.z - centre.z(), radius,
+                segment.dx, segment.dy, segment.dz, segment.error)
             && isCrossedClosely(segment, number);
     }
 
@@ -457,6 +463,14 @@ public record Sphere(Vector centre, double radius, int material) implements Body
     @Override
     public int side(RayOrigin point, int number) {
         return ExactSphere.of(this).side(point, number);
+    }
+
+    @Override
+    public void pack(double[] numbers, int at) {
+        numbers[at] = centre.x();
+        numbers[at + 1] = centre.y();
+        numbers[at + 2] = centre.z();
+        numbers[at + 3] = radius;
     }
 
     @Override

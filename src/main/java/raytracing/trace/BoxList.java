@@ -3,6 +3,7 @@ package raytracing.trace;
 import java.util.Optional;
 import raytracing.hierarchy.Hierarchy;
 import raytracing.hierarchy.RayTraversal;
+import raytracing.surface.Body;
 import raytracing.surface.Box;
 import raytracing.surface.Ray;
 import raytracing.surface.RayOrigin;
@@ -11,10 +12,13 @@ import raytracing.surface.Segment;
 /** The boxes of a scene. */
 public final class BoxList extends SurfaceList {
     private final Box[] boxes;
+    private final double[] packed;
 
-    BoxList(Box[] boxes, int[] numbers, Optional<Hierarchy> hierarchy) {
+    /** @param packed of each box, in the same order: most lines pass most boxes, which then are not looked up */
+    BoxList(Box[] boxes, double[] packed, int[] numbers, Optional<Hierarchy> hierarchy) {
         super(numbers, hierarchy);
         this.boxes = boxes;
+        this.packed = packed;
     }
 
     public Box[] boxes() {
@@ -53,7 +57,7 @@ public final class BoxList extends SurfaceList {
     @Override
     void offerCrossings(Ray ray, int from, int to, Crossings crossings) {
         int[] number = numbers();
-        Box[] listed = boxes;
+        double[] bodies = packed;
         RayOrigin o = ray.origin();
         int start = o.surface();
         double ox = o.x();
@@ -64,9 +68,9 @@ public final class BoxList extends SurfaceList {
         double dz = ray.dz();
         double error = o.error();
         for (int i = from; i < to; i++) {
-            Box box = listed[i];
-            if (!box.isPlainlyMissed(ox, oy, oz, dx, dy, dz, crossings.latest(), error) && number[i] != start) {
-                crossings.offer(box.firstCrossing(ray, crossings.latest()), number[i]);
+            if (!Box.isPlainlyMissed(bodies, Body.PACKED * i, ox, oy, oz, dx, dy, dz, crossings.latest(), error)
+                    && number[i] != start) {
+                crossings.offer(boxes[i].firstCrossing(ray, crossings.latest()), number[i]);
             }
         }
     }
@@ -74,7 +78,7 @@ public final class BoxList extends SurfaceList {
     @Override
     int addCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
         int[] number = numbers();
-        Box[] listed = boxes;
+        double[] bodies = packed;
         RayOrigin o = segment.start();
         int start = o.surface();
         double ox = o.x();
@@ -86,9 +90,8 @@ public final class BoxList extends SurfaceList {
         double error = segment.error();
         int opaque = last;
         for (int i = from; i < to && !crossed.isDark(); i++) {
-            Box box = listed[i];
-            if (!box.isPlainlyMissed(ox, oy, oz, dx, dy, dz, 1, error) && number[i] != start
-                    && box.isCrossedClosely(segment, number[i])) {
+            if (!Box.isPlainlyMissed(bodies, Body.PACKED * i, ox, oy, oz, dx, dy, dz, 1, error) && number[i] != start
+                    && boxes[i].isCrossedClosely(segment, number[i])) {
                 crossed.add(number[i]);
                 opaque = crossed.isDark() ? i : opaque;
             }

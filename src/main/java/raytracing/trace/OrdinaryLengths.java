@@ -26,6 +26,9 @@ public final class OrdinaryLengths {
 
     /** A scene of the same picture with most of its lengths near 1; the same one if that is so, or cannot be exactly. */
     public static Scene of(Scene scene) {
+        if (isOrdinary(scene)) {
+            return scene;
+        }
         Exponents exponents = new Exponents(scene);
         int middle = exponents.middle();
         if (Math.abs(middle) <= ORDINARY && exponents.areNormalsOrdinary) {
@@ -34,6 +37,23 @@ public final class OrdinaryLengths {
         Scaling scaling = new Scaling(Math.abs(middle) <= ORDINARY ? 0 : middle);
         Scene scaled = scaling.scaled(scene);
         return scaling.isExact ? scaled : scene;
+    }
+
+    /** A first look, which is all that nearly all scenes need: a million surfaces would take long to be collected. */
+    private static boolean isOrdinary(Scene scene) {
+        boolean isOrdinary = isOrdinary(scene.camera().position().largestPart());
+        for (Light light : scene.lights()) {
+            isOrdinary &= isOrdinary(light.position().largestPart()) && isOrdinary(light.width());
+        }
+        Ordinary ordinary = new Ordinary();
+        for (Surface surface : scene.surfaces()) {
+            isOrdinary &= surface.accept(ordinary);
+        }
+        return isOrdinary;
+    }
+
+    private static boolean isOrdinary(double length) {
+        return length == 0 || Math.abs(Math.getExponent(length)) <= ORDINARY;
     }
 
     private static int exponent(Vector vector) {
@@ -48,6 +68,25 @@ public final class OrdinaryLengths {
 
     private static boolean isOrdinary(int exponent) {
         return Math.abs(exponent) <= ORDINARY;
+    }
+
+    /** Whether all lengths of a surface are ordinary, and the normal of a plane. */
+    private static final class Ordinary implements Surface.Visitor<Boolean> {
+        @Override
+        public Boolean visit(Sphere sphere) {
+            return isOrdinary(sphere.centre().largestPart()) && isOrdinary(sphere.radius());
+        }
+
+        @Override
+        public Boolean visit(Plane plane) {
+            return isOrdinary(plane.normal().largestPart()) && isOrdinary(plane.offset())
+                && isOrdinary(exponent(plane.offset()) - exponent(plane.normal()));
+        }
+
+        @Override
+        public Boolean visit(Box box) {
+            return isOrdinary(box.centre().largestPart()) && isOrdinary(box.edge());
+        }
     }
 
     /** The exponents of a scene's lengths but 0. */

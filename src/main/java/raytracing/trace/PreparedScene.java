@@ -1,6 +1,5 @@
 package raytracing.trace;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -46,27 +45,44 @@ public final class PreparedScene {
     public PreparedScene(Scene scene, ShadowMode shadowMode, Set<Shortcut> shortcuts, ForkJoin workers) {
         this.shortcuts = shortcuts;
         surfaces = scene.surfaces().toArray(new Surface[0]);
-        Kinds kinds = new Kinds(surfaces);
-        Plane[] allPlanes = kinds.planes.toArray(new Plane[0]);
-        Sphere[] allSpheres = kinds.spheres.toArray(new Sphere[0]);
-        Box[] allBoxes = kinds.boxes.toArray(new Box[0]);
-        workers.expect((needsHierarchy(allSpheres) ? allSpheres.length : 0)
-            + (needsHierarchy(allBoxes) ? allBoxes.length : 0));
-        int[] sphereNumbers = kinds.spheres.numbers();
-        int[] boxNumbers = kinds.boxes.numbers();
-        planes = new PlaneList(allPlanes, kinds.planes.numbers());
-        spheres = new SphereList(allSpheres, sphereNumbers, arrange(allSpheres, sphereNumbers, workers));
-        boxes = new BoxList(allBoxes, boxNumbers, arrange(allBoxes, boxNumbers, workers));
+        Kinds kinds = Kinds.of(surfaces, 0, surfaces.length, workers);
+        int[] sphereNumbers = kinds.spheres.toArray();
+        int[] boxNumbers = kinds.boxes.toArray();
+        workers.expect((needsHierarchy(sphereNumbers) ? sphereNumbers.length : 0)
+            + (needsHierarchy(boxNumbers) ? boxNumbers.length : 0));
+        Optional<Hierarchy> overSpheres = arrange(sphereNumbers, workers);
+        Optional<Hierarchy> overBoxes = arrange(boxNumbers, workers);
+        int[] planeNumbers = kinds.planes.toArray();
+        Plane[] allPlanes = new Plane[planeNumbers.length];
+        for (int i = 0; i < allPlanes.length; i++) {
+            allPlanes[i] = (Plane) surfaces[planeNumbers[i]];
+        }
+        Sphere[] allSpheres = new Sphere[sphereNumbers.length];
+        Box[] allBoxes = new Box[boxNumbers.length];
+        double[] packedSpheres = list(sphereNumbers, allSpheres, workers);
+        double[] packedBoxes = list(boxNumbers, allBoxes, workers);
+        planes = new PlaneList(allPlanes, planeNumbers);
+        spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
+        boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
         lists = new SurfaceList[] {planes, spheres, boxes};
-        hasHierarchy = spheres.hierarchy().isPresent() || boxes.hierarchy().isPresent();
+        hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent();
         checkThatAllAreListed();
         transmittances = new double[surfaces.length];
         if (shadowMode == ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT) {
-            List<Material> materials = scene.materials();
-            for (int i = 0; i < transmittances.length; i++) {
-                transmittances[i] = materials.get(surfaces[i].material()).transparency();
-            }
+            setTransmittances(scene.materials(), workers);
         }
+    }
+
+    private void setTransmittances(List<Material> materials, ForkJoin workers) {
+        double[] ofMaterials = new double[materials.size()];
+        for (int i = 0; i < ofMaterials.length; i++) {
+            ofMaterials[i] = materials.get(i).transparency();
+        }
+        workers.runRanges(transmittances.length, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                transmittances[i] = ofMaterials[surfaces[i].material()];
+            }
+        });
     }
 
     private void checkThatAllAreListed() {
@@ -79,75 +95,118 @@ public final class PreparedScene {
         }
     }
 
-    private boolean needsHierarchy(Body[] bodies) {
-        return bodies.length >= FEWEST_IN_A_HIERARCHY && shortcuts.contains(Shortcut.HIERARCHY);
+    private boolean needsHierarchy(int[] numbers) {
+        return numbers.length >= FEWEST_IN_A_HIERARCHY && shortcuts.contains(Shortcut.HIERARCHY);
     }
 
-    /** Builds a hierarchy over many bodies, and brings them and their numbers in its order. */
-    private Optional<Hierarchy> arrange(Body[] bodies, int[] numbers, ForkJoin workers) {
-        if (!needsHierarchy(bodies)) {
+    /** Builds a hierarchy over many bodies, and brings their numbers in its order. */
+    private Optional<Hierarchy> arrange(int[] numbers, ForkJoin workers) {
+        if (!needsHierarchy(numbers)) {
             return Optional.empty();
         }
-        Bounds bounds = new Bounds(bodies.length);
-        for (int i = 0; i < bodies.length; i++) {
-            bodies[i].bound(bounds, i);
-        }
+        Bounds bounds = new Bounds(numbers.length);
+        workers.runRanges(numbers.length, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                ((Body) surfaces[numbers[i]]).bound(bounds, i);
+            }
+        });
         Hierarchy hierarchy = Hierarchy.over(bounds, workers);
         int[] order = hierarchy.order();
-        Body[] listed = bodies.clone();
-        int[] listedNumbers = numbers.clone();
-        for (int i = 0; i < order.length; i++) {
-            bodies[i] = listed[order[i]];
-            numbers[i] = listedNumbers[order[i]];
-        }
+        int[] listed = numbers.clone();
+        workers.runRanges(numbers.length, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                numbers[i] = listed[order[i]];
+            }
+        });
         return Optional.of(hierarchy);
     }
 
-    /** The surfaces of one kind and their numbers in the scene. */
-    private static final class Kind<S extends Surface> extends ArrayList<S> {
-        private static final long serialVersionUID = 1;
-
-        private int[] numbers = new int[16];
-
-        boolean add(S surface, int number) {
-            if (size() == numbers.length) {
-                numbers = Arrays.copyOf(numbers, 2 * size());
+    /** Fills a list with the bodies of these numbers, which are of its kind; returns what {@link Body#pack} writes of each. */
+    private double[] list(int[] numbers, Body[] list, ForkJoin workers) {
+        double[] packed = new double[Math.multiplyExact(Body.PACKED, numbers.length)];
+        workers.runRanges(numbers.length, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                Body body = (Body) surfaces[numbers[i]];
+                list[i] = body;
+                body.pack(packed, Body.PACKED * i);
             }
-            numbers[size()] = number;
-            return add(surface);
+        });
+        return packed;
+    }
+
+    /** Numbers of surfaces, one after the other. */
+    private static final class Numbers {
+        private int[] numbers = new int[16];
+        private int count;
+
+        boolean add(int number) {
+            if (count == numbers.length) {
+                numbers = Arrays.copyOf(numbers, 2 * count);
+            }
+            numbers[count++] = number;
+            return true;
         }
 
-        int[] numbers() {
-            return Arrays.copyOf(numbers, size());
+        void addAll(Numbers others) {
+            if (count + others.count > numbers.length) {
+                numbers = Arrays.copyOf(numbers, count + others.count);
+            }
+            System.arraycopy(others.numbers, 0, numbers, count, others.count);
+            count += others.count;
+        }
+
+        int[] toArray() {
+            return Arrays.copyOf(numbers, count);
         }
     }
 
-    /** Sorts the surfaces by kind. */
+    /** Sorts the numbers of surfaces by kind. */
     private static final class Kinds implements Surface.Visitor<Boolean> {
-        private final Kind<Sphere> spheres = new Kind<>();
-        private final Kind<Plane> planes = new Kind<>();
-        private final Kind<Box> boxes = new Kind<>();
+        private final Numbers spheres = new Numbers();
+        private final Numbers planes = new Numbers();
+        private final Numbers boxes = new Numbers();
         private int number;
 
-        Kinds(Surface[] surfaces) {
-            for (number = 0; number < surfaces.length; number++) {
+        /** Those of the surfaces with numbers from {@code from} to before {@code to}. */
+        static Kinds of(Surface[] surfaces, int from, int to, ForkJoin workers) {
+            Kinds kinds = new Kinds();
+            if (to - from <= ForkJoin.LARGE_RANGE) {
+                kinds.addAll(surfaces, from, to);
+                return kinds;
+            }
+            int middle = (from + to) >>> 1;
+            Kinds[] halves = new Kinds[2];
+            workers.runBoth(() -> halves[0] = of(surfaces, from, middle, workers),
+                () -> halves[1] = of(surfaces, middle, to, workers));
+            halves[0].addAll(halves[1]);
+            return halves[0];
+        }
+
+        private void addAll(Surface[] surfaces, int from, int to) {
+            for (number = from; number < to; number++) {
                 surfaces[number].accept(this);
             }
         }
 
+        private void addAll(Kinds others) {
+            spheres.addAll(others.spheres);
+            planes.addAll(others.planes);
+            boxes.addAll(others.boxes);
+        }
+
         @Override
         public Boolean visit(Sphere sphere) {
-            return spheres.add(sphere, number);
+            return spheres.add(number);
         }
 
         @Override
         public Boolean visit(Plane plane) {
-            return planes.add(plane, number);
+            return planes.add(number);
         }
 
         @Override
         public Boolean visit(Box box) {
-            return boxes.add(box, number);
+            return boxes.add(number);
         }
     }
 

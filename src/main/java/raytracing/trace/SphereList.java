@@ -2,6 +2,7 @@ package raytracing.trace;
 
 import java.util.Optional;
 import raytracing.hierarchy.Hierarchy;
+import raytracing.surface.Body;
 import raytracing.surface.Ray;
 import raytracing.surface.RayOrigin;
 import raytracing.surface.Segment;
@@ -10,20 +11,28 @@ import raytracing.surface.Sphere;
 /** The spheres of a scene. */
 public final class SphereList extends SurfaceList {
     private final Sphere[] spheres;
+    private final double[] packed;
 
-    SphereList(Sphere[] spheres, int[] numbers, Optional<Hierarchy> hierarchy) {
+    /** @param packed of each sphere, in the same order: most lines pass most spheres, which then are not looked up */
+    SphereList(Sphere[] spheres, double[] packed, int[] numbers, Optional<Hierarchy> hierarchy) {
         super(numbers, hierarchy);
         this.spheres = spheres;
+        this.packed = packed;
     }
 
     public Sphere[] spheres() {
         return spheres;
     }
 
+    /** Where each sphere is and how large, as {@link Sphere#pack} writes it. */
+    public double[] packed() {
+        return packed;
+    }
+
     @Override
     void offerCrossings(Ray ray, int from, int to, Crossings crossings) {
         int[] number = numbers();
-        Sphere[] listed = spheres;
+        double[] bodies = packed;
         RayOrigin o = ray.origin();
         int start = o.surface();
         double ox = o.x();
@@ -34,9 +43,8 @@ public final class SphereList extends SurfaceList {
         double dz = ray.dz();
         double error = o.error();
         for (int i = from; i < to; i++) {
-            Sphere sphere = listed[i];
-            if (!sphere.isPlainlyMissed(ox, oy, oz, dx, dy, dz, error) && number[i] != start) {
-                crossings.offer(sphere.firstCrossing(ray, crossings.latest()), number[i]);
+            if (!Sphere.isPlainlyMissed(bodies, Body.PACKED * i, ox, oy, oz, dx, dy, dz, error) && number[i] != start) {
+                crossings.offer(spheres[i].firstCrossing(ray, crossings.latest()), number[i]);
             }
         }
     }
@@ -44,7 +52,7 @@ public final class SphereList extends SurfaceList {
     @Override
     int addCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
         int[] number = numbers();
-        Sphere[] listed = spheres;
+        double[] bodies = packed;
         RayOrigin o = segment.start();
         int start = o.surface();
         double ox = o.x();
@@ -56,9 +64,8 @@ public final class SphereList extends SurfaceList {
         double error = segment.error();
         int opaque = last;
         for (int i = from; i < to && !crossed.isDark(); i++) {
-            Sphere sphere = listed[i];
-            if (!sphere.isPlainlyMissed(ox, oy, oz, dx, dy, dz, error) && number[i] != start
-                    && sphere.isCrossedClosely(segment, number[i])) {
+            if (!Sphere.isPlainlyMissed(bodies, Body.PACKED * i, ox, oy, oz, dx, dy, dz, error) && number[i] != start
+                    && spheres[i].isCrossedClosely(segment, number[i])) {
                 crossed.add(number[i]);
                 opaque = crossed.isDark() ? i : opaque;
             }

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.SceneParser;
 import raytracing.scene.Scene;
 
@@ -20,7 +20,7 @@ class FamilyTest {
             mtl 1 1 1  0 0 0  0 0 0  1 0
             sph 0 0 0  1  1
             %s
-            """.formatted(root, light).getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
+            """.formatted(root, light).getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).scene();
     }
 
     @Test

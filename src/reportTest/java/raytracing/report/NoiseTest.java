@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import raytracing.Quantiles;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.SceneParser;
 import raytracing.render.RenderSettings;
 import raytracing.render.Renderer;
@@ -55,7 +55,7 @@ class NoiseTest {
             set 0 0 0  1 1
             mtl 1 1 1  0 0 0  0 0 0  1 0
             sph 0 0 0  1  1
-            """.getBytes(StandardCharsets.UTF_8), new Preparation()).scene(), RenderSettings.DEFAULT.withSize(11, 11));
+            """.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).scene(), RenderSettings.DEFAULT.withSize(11, 11));
         List<Rounds.Drawn> drawn = Rounds.of(List.of(renderer, renderer),
             times -> times.get(1).count() < 4 ? Set.of(1) : Set.of(), SHORT, Progress.of(1, 1, "test"));
         assertEquals(2, drawn.get(0).milliseconds().count());

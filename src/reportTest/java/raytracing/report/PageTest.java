@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import raytracing.Quantiles;
 import raytracing.ambient.AmbientLight;
 import raytracing.film.Film;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.SceneParser;
 import raytracing.scene.Scene;
 import raytracing.timed.Spread;
@@ -42,7 +42,7 @@ class PageTest {
             mtl 1 1 1  0 0 0  0 0 0  1 0
             sph 0 0 0  1  1
             lgt 0 9 0  1 1 1  1 1 2
-            """.getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
+            """.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).scene();
         Film grey = Pictures.even(SIZE, 0.5);
         Reference reference = Reference.of(grey, grey, 1000);
         FamilyStudy shadows = new FamilyStudy(Family.SHADOWS, reference, List.of(

@@ -3,7 +3,7 @@ package raytracing.fuzz;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import java.util.Optional;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.ParsedScene;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
@@ -48,7 +48,7 @@ public final class AnyBytes {
 
     private static Answer answer(byte[] bytes) {
         try {
-            ParsedScene parsed = SceneParser.parse(FILE, bytes, new Preparation());
+            ParsedScene parsed = SceneParser.parse(FILE, bytes, ForkJoin.sequential());
             return new Answer(Optional.of(parsed.scene()), parsed.warnings());
         } catch (RayTracerException wrong) {
             return new Answer(Optional.empty(), wrong.messages());

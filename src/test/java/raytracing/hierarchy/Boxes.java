@@ -10,9 +10,21 @@ record Boxes(double[] numbers, Hierarchy hierarchy) {
     }
 
     static Boxes of(double[] numbers, ForkJoin workers) {
+        return new Boxes(numbers, Hierarchy.over(bounds(numbers), workers));
+    }
+
+    /** The boxes in floats, rounded outwards where they are none. */
+    static Bounds bounds(double[] numbers) {
         Bounds bounds = new Bounds(numbers.length / Bounds.STRIDE);
-        System.arraycopy(numbers, 0, bounds.numbers(), 0, numbers.length);
-        return new Boxes(numbers, Hierarchy.over(bounds, workers));
+        for (int i = 0; i < numbers.length; i++) {
+            float nearest = (float) numbers[i];
+            boolean isHigh = i % Bounds.STRIDE >= Bounds.TO_HIGH;
+            boolean isInside = isHigh ? nearest < numbers[i] : nearest > numbers[i];
+            float next = isHigh ? Math.nextUp(nearest) : Math.nextDown(nearest);
+            float outside = isInside ? next : nearest;
+            bounds.numbers()[i] = isHigh ? Math.max(outside, -Bounds.FAR) : Math.min(outside, Bounds.FAR);
+        }
+        return bounds;
     }
 
     /** Cubes of edges up to twice the size, everywhere in the cube from 0 to 1. */

@@ -2,7 +2,7 @@ package raytracing.nasty;
 
 import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.PixelGrid;
@@ -41,7 +41,7 @@ record NastyScene(long seed, String text, boolean isHall, int surfaces) {
 
     Scene scene() {
         try {
-            return SceneParser.parse("nasty scene", text.getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
+            return SceneParser.parse("nasty scene", text.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).scene();
         } catch (RayTracerException wrong) {
             throw new IllegalStateException("not a scene:\n" + text + wrong.getMessage(), wrong);
         }

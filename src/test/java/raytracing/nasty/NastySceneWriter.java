@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import raytracing.math.Vector;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 
@@ -120,7 +120,7 @@ final class NastySceneWriter {
 
     private static boolean isScene(String text) {
         try {
-            SceneParser.parse("", text.getBytes(StandardCharsets.UTF_8), new Preparation());
+            SceneParser.parse("", text.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential());
             return true;
         } catch (RayTracerException refused) {
             return false;

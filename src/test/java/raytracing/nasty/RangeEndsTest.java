@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.SceneText;
 import raytracing.color.Color;
 import raytracing.film.Film;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
 import raytracing.render.PixelGrid;
@@ -51,7 +51,7 @@ class RangeEndsTest {
     private static Optional<Scene> read(String text) {
         try {
             return Optional.of(
-                SceneParser.parse("scene", text.getBytes(StandardCharsets.UTF_8), new Preparation()).scene());
+                SceneParser.parse("scene", text.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).scene());
         } catch (RayTracerException refused) {
             return Optional.empty();
         }

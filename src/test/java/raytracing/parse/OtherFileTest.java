@@ -19,14 +19,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.film.Film;
 import raytracing.film.ImageFile;
 import raytracing.film.ImageFormat;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 
 /** Files that are no scene files are called what they are, in one sentence. */
 class OtherFileTest {
     private static final String SCENE = "cam 0 0 -5  0 0 0  0 1 0  1 2\r\nset 0 0 0  4 10\r\n";
 
     private static List<String> messages(byte[] bytes) {
-        return assertThrows(RayTracerException.class, () -> SceneParser.parse("a.txt", bytes, new Preparation())).messages();
+        return assertThrows(RayTracerException.class, () -> SceneParser.parse("a.txt", bytes, ForkJoin.sequential())).messages();
     }
 
     private static void assertCalled(String kind, byte[] bytes) {
@@ -93,10 +93,10 @@ class OtherFileTest {
     @ValueSource(strings = {"\u001a", "\u001a\u001a\u001a", "\u001a\r\n", "\r\n\u001a \n\u001a\n", "  \u001a"})
     void aCtrlZAtTheVeryEndIsNoPartOfTheText(String end) throws RayTracerException {
         String text = SCENE.strip() + end;
-        assertEquals(SceneParser.parse("a.txt", SCENE.getBytes(StandardCharsets.UTF_8), new Preparation()),
-            SceneParser.parse("a.txt", text.getBytes(StandardCharsets.UTF_8), new Preparation()));
-        assertEquals(SceneParser.parse("a.txt", SCENE.getBytes(StandardCharsets.UTF_8), new Preparation()),
-            SceneParser.parse("a.txt", ("\ufeff" + text).getBytes(StandardCharsets.UTF_16LE), new Preparation()));
+        assertEquals(SceneParser.parse("a.txt", SCENE.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()),
+            SceneParser.parse("a.txt", text.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()));
+        assertEquals(SceneParser.parse("a.txt", SCENE.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()),
+            SceneParser.parse("a.txt", ("\ufeff" + text).getBytes(StandardCharsets.UTF_16LE), ForkJoin.sequential()));
     }
 
     @Test

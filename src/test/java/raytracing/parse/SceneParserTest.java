@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracing.color.Color;
 import raytracing.math.Vector;
 import raytracing.math.Vectors;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 import raytracing.scene.Camera;
 import raytracing.scene.Fisheye;
 import raytracing.scene.Light;
@@ -44,7 +44,7 @@ class SceneParserTest {
     private static final String HEAD = CAM + SET + MTL;
 
     private static Scene parse(String text) throws RayTracerException {
-        return SceneParser.parse("test.txt", text.getBytes(StandardCharsets.UTF_8), new Preparation()).scene();
+        return SceneParser.parse("test.txt", text.getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).scene();
     }
 
     private static List<String> messages(String text) {
@@ -140,7 +140,7 @@ class SceneParserTest {
     @ValueSource(strings = {"UTF-8", "UTF-16LE", "UTF-16BE"})
     void aByteOrderMarkIsNoPartOfTheFirstCode(String encoding) throws RayTracerException {
         byte[] marked = ("\ufeff" + HEAD).getBytes(Charset.forName(encoding));
-        assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked, new Preparation()).scene());
+        assertEquals(parse(HEAD), SceneParser.parse("test.txt", marked, ForkJoin.sequential()).scene());
     }
 
     @ParameterizedTest
@@ -148,7 +148,7 @@ class SceneParserTest {
     void aByteOrderMarkAloneIsAnEmptyFile(String encoding) {
         byte[] mark = "\ufeff".getBytes(Charset.forName(encoding));
         assertEquals(messages(""),
-            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", mark, new Preparation())).messages());
+            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", mark, ForkJoin.sequential())).messages());
     }
 
     /** Course files have remarks in several encodings of Hebrew. Every pair of bytes that is no line end must do. */
@@ -166,7 +166,7 @@ class SceneParserTest {
             }
         }
         text.writeBytes(HEAD.getBytes(StandardCharsets.US_ASCII));
-        assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray(), new Preparation()).scene());
+        assertEquals(parse(HEAD), SceneParser.parse("test.txt", text.toByteArray(), ForkJoin.sequential()).scene());
     }
 
     /** Bytes of which a wide space could be made, but is not: part of the word, and shown as the library replaces them. */
@@ -186,7 +186,7 @@ class SceneParserTest {
         assertEquals(List.of("test.txt:4: " + word + ": unknown code (bytes that are not UTF-8), "
             + "expected cam, set, mtl, sph, pln, box or lgt"),
             assertThrows(RayTracerException.class,
-                () -> SceneParser.parse("test.txt", text.toByteArray(), new Preparation())).messages());
+                () -> SceneParser.parse("test.txt", text.toByteArray(), ForkJoin.sequential())).messages());
     }
 
     @Test
@@ -431,9 +431,9 @@ class SceneParserTest {
     void aMissingFileAndAFolderAreTheUsersMistakes(@TempDir Path folder) {
         Path missing = folder.resolve("none.txt");
         assertEquals(missing + ": no such file, expected a scene file",
-            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(missing, new Preparation())).getMessage());
+            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(missing, ForkJoin.sequential())).getMessage());
         assertEquals(folder + ": is a folder, expected a scene file",
-            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(folder, new Preparation())).getMessage());
+            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(folder, ForkJoin.sequential())).getMessage());
     }
 
     /** Files of more than 64 kB are read in pieces: every line must be there, once and in its place. */
@@ -445,7 +445,7 @@ class SceneParserTest {
         }
         Path file = folder.resolve("large.txt");
         Files.writeString(file, text);
-        Scene scene = SceneParser.parseFile(file, new Preparation()).scene();
+        Scene scene = SceneParser.parseFile(file, ForkJoin.sequential()).scene();
         assertEquals(20_000, scene.surfaces().size());
         for (int i = 0; i < 20_000; i++) {
             assertEquals(new Sphere(new Vector(i, 0, 0), 1, 0), scene.surfaces().get(i));
@@ -457,6 +457,6 @@ class SceneParserTest {
         Path file = folder.resolve("pool.txt");
         Files.writeString(file, HEAD + "sph 0 0 0 -1 1\n");
         assertEquals(file + ":4: sph: radius must be above 0, got -1",
-            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(file, new Preparation())).getMessage());
+            assertThrows(RayTracerException.class, () -> SceneParser.parseFile(file, ForkJoin.sequential())).getMessage());
     }
 }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 
 class SceneWarningsTest {
     private static final String CAM = "cam 0 0 -5  0 0 0  0 1 0  1 2\n";
@@ -26,7 +26,7 @@ class SceneWarningsTest {
     private static List<String> warnings(String... lines) {
         try {
             return SceneParser.parse("a.txt", String.join("", lines).getBytes(StandardCharsets.UTF_8),
-                new Preparation()).warnings();
+                ForkJoin.sequential()).warnings();
         } catch (RayTracerException wrong) {
             throw new AssertionError(wrong.getMessage(), wrong);
         }
@@ -153,6 +153,6 @@ class SceneWarningsTest {
     @Test
     void whatIsQuotedInAWarningCanBeSeen() throws RayTracerException {
         assertEquals(List.of("a<U+202E>.txt: " + NO_SURFACE, "a<U+202E>.txt: " + NO_LIGHT),
-            SceneParser.parse("a\u202e.txt", (CAM + SET).getBytes(StandardCharsets.UTF_8), new Preparation()).warnings());
+            SceneParser.parse("a\u202e.txt", (CAM + SET).getBytes(StandardCharsets.UTF_8), ForkJoin.sequential()).warnings());
     }
 }

@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import raytracing.parallel.Preparation;
+import raytracing.parallel.ForkJoin;
 
 /** What is said where a number should be and is none: what is wrong with it, and not only that. */
 class WrongValuesTest {
@@ -18,7 +18,7 @@ class WrongValuesTest {
     private static List<String> messages(String line) {
         byte[] bytes = (HEAD + line + "\n").getBytes(StandardCharsets.UTF_8);
         return assertThrows(RayTracerException.class,
-            () -> SceneParser.parse("test.txt", bytes, new Preparation())).messages();
+            () -> SceneParser.parse("test.txt", bytes, ForkJoin.sequential())).messages();
     }
 
     @ParameterizedTest(name = "{0}")
@@ -90,7 +90,7 @@ class WrongValuesTest {
         byte[] bytes = (HEAD + "sph \u00965 1 0 1 1\n").getBytes(StandardCharsets.ISO_8859_1);
         assertEquals(List.of(
             "test.txt:4: sph: centre x must be a decimal number, got \ufffd5 (bytes that are not UTF-8)"),
-            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", bytes, new Preparation())).messages());
+            assertThrows(RayTracerException.class, () -> SceneParser.parse("test.txt", bytes, ForkJoin.sequential())).messages());
     }
 
     @Test
@@ -98,6 +98,6 @@ class WrongValuesTest {
         assertEquals(List.of("test.txt:1: cam: fisheye must be true or false, got \uff54rue "
             + "(U+FF54 FULLWIDTH LATIN SMALL LETTER T, write t)"), assertThrows(RayTracerException.class,
             () -> SceneParser.parse("test.txt", ("cam 0 0 -5  0 0 0  0 1 0  1 2  \uff54rue\nset 0 0 0  4 10\n")
-                .getBytes(StandardCharsets.UTF_8), new Preparation())).messages());
+                .getBytes(StandardCharsets.UTF_8), ForkJoin.sequential())).messages());
     }
 }

@@ -76,7 +76,7 @@ class ReportedPreparationTest {
         Path file = folder.resolve("large.txt");
         Files.writeString(file, "sph 1 2 3 0.5 1\n".repeat(10_000) + HEAD);
         Preparation preparation = new Preparation();
-        SceneParser.parseFile(file, preparation);
+        SceneParser.parseFile(file, new ForkJoin(1, preparation));
         assertEquals(new State(Step.READING, 16.0 * 8192 / Files.size(file)), preparation.state());
     }
 
