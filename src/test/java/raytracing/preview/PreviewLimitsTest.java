@@ -23,7 +23,7 @@ class PreviewLimitsTest {
         System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
         try {
             assertEquals(Optional.empty(), Preview.open("out.png", new Region(5, 0, 5 + SIDE, SIDE + 1), new Cancellation(),
-                new Thread("not begun")));
+                Optional.of(new Thread("not begun"))));
         } finally {
             System.setErr(before);
         }
