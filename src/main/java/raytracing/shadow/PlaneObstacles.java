@@ -1,10 +1,12 @@
 package raytracing.shadow;
 
+import java.util.Optional;
 import raytracing.area.ConvexShadows;
 import raytracing.math.Basis;
 import raytracing.surface.Hit;
 import raytracing.surface.Plane;
 import raytracing.trace.CrossedSurfaces;
+import raytracing.trace.PlaneGroups;
 import raytracing.trace.PreparedScene;
 
 /**
@@ -45,11 +47,16 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
         }
     }
 
+    /** From the middle of a square to a corner, in halves of its edge, rounded up. */
+    private static final double TO_CORNER = 1.5;
+
     private final Plane[] planes;
+    private final Optional<PlaneGroups> groups;
 
     PlaneObstacles(Shaft shaft, PreparedScene scene) {
         super(shaft, scene, scene.planes(), new PlaneObstacle[0]);
         planes = scene.planes().planes();
+        groups = scene.planes().groups();
     }
 
     @Override
@@ -64,6 +71,27 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
 
     @Override
     void sort(int[] numbers, int from, int to, CrossedSurfaces certain) {
+        if (groups.isEmpty()) {
+            sortAll(numbers, from, to, certain);
+        } else {
+            sortGroups(groups.get(), numbers, certain);
+        }
+    }
+
+    private void sortGroups(PlaneGroups all, int[] numbers, CrossedSurfaces certain) {
+        Hit hit = shaft.hit;
+        double error = shaft.margin + Shaft.ROUNDING * shaft.reach;
+        long place = PlaneGroups.START;
+        do {
+            place = all.next(place, hit.x(), hit.y(), hit.z(), error, shaft.tx, shaft.ty, shaft.tz,
+                TO_CORNER * shaft.halfWidth, 1);
+            if (place != PlaneGroups.END) {
+                sortAll(numbers, all.from(place), all.to(place), certain);
+            }
+        } while (place != PlaneGroups.END && !certain.isDark());
+    }
+
+    private void sortAll(int[] numbers, int from, int to, CrossedSurfaces certain) {
         int surfaceLeft = shaft.hit.surface();
         for (int i = from; i < to && !certain.isDark(); i++) {
             if (numbers[i] != surfaceLeft) {

@@ -3,23 +3,50 @@ package raytracing.trace;
 import java.util.Optional;
 import raytracing.surface.Plane;
 import raytracing.surface.Ray;
+import raytracing.surface.RayOrigin;
 import raytracing.surface.Segment;
 
-/** The planes of a scene. */
+/** The planes of a scene, many of them in groups. */
 public final class PlaneList extends SurfaceList {
     private final Plane[] planes;
+    private final Optional<PlaneGroups> groups;
 
-    PlaneList(Plane[] planes, int[] numbers) {
+    /** Planes with these numbers in the scene, in the order of the groups, if there are some. */
+    PlaneList(Plane[] planes, int[] numbers, Optional<PlaneGroups> groups) {
         super(numbers, Optional.empty());   // endless planes have no bounds
         this.planes = planes;
+        this.groups = groups;
     }
 
     public Plane[] planes() {
         return planes;
     }
 
+    public Optional<PlaneGroups> groups() {
+        return groups;
+    }
+
     @Override
     void offerCrossings(Ray ray, int from, int to, Crossings crossings) {
+        if (groups.isEmpty()) {
+            offerAll(ray, from, to, crossings);
+        } else {
+            offerGroups(groups.get(), ray, crossings);
+        }
+    }
+
+    private void offerGroups(PlaneGroups all, Ray ray, Crossings crossings) {
+        RayOrigin o = ray.origin();
+        long place = PlaneGroups.START;
+        do {
+            place = all.next(place, o.x(), o.y(), o.z(), o.error(), ray.dx(), ray.dy(), ray.dz(), 0, crossings.latest());
+            if (place != PlaneGroups.END) {
+                offerAll(ray, all.from(place), all.to(place), crossings);
+            }
+        } while (place != PlaneGroups.END);
+    }
+
+    private void offerAll(Ray ray, int from, int to, Crossings crossings) {
         int[] number = numbers();
         int start = ray.origin().surface();
         for (int i = from; i < to; i++) {
@@ -31,6 +58,29 @@ public final class PlaneList extends SurfaceList {
 
     @Override
     int addCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
+        if (groups.isEmpty()) {
+            return addAllCrossed(segment, from, to, crossed, last);
+        }
+        if (last < planes.length) {
+            addAllCrossed(segment, last, last + 1, crossed, last);
+        }
+        return crossed.isDark() ? last : addCrossedOfGroups(groups.get(), segment, crossed, last);
+    }
+
+    private int addCrossedOfGroups(PlaneGroups all, Segment segment, CrossedSurfaces crossed, int last) {
+        RayOrigin o = segment.start();
+        int opaque = last;
+        long place = PlaneGroups.START;
+        do {
+            place = all.next(place, o.x(), o.y(), o.z(), segment.error(), segment.dx(), segment.dy(), segment.dz(), 0, 1);
+            if (place != PlaneGroups.END) {
+                opaque = addAllCrossed(segment, all.from(place), all.to(place), crossed, opaque);
+            }
+        } while (place != PlaneGroups.END && !crossed.isDark());
+        return opaque;
+    }
+
+    private int addAllCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
         int[] number = numbers();
         int start = segment.start().surface();
         int opaque = last;

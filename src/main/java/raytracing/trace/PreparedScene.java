@@ -26,6 +26,9 @@ public final class PreparedScene {
     /** Fewer surfaces of a kind are tested one by one (measured: PERFORMANCE). */
     private static final int FEWEST_IN_A_HIERARCHY = 48;
 
+    /** The same for planes. */
+    private static final int FEWEST_IN_GROUPS = 16;
+
     private final Surface[] surfaces;
     private final PlaneList planes;
     private final SphereList spheres;
@@ -61,7 +64,7 @@ public final class PreparedScene {
         Box[] allBoxes = new Box[boxNumbers.length];
         double[] packedSpheres = list(sphereNumbers, allSpheres, workers);
         double[] packedBoxes = list(boxNumbers, allBoxes, workers);
-        planes = new PlaneList(allPlanes, planeNumbers);
+        planes = new PlaneList(allPlanes, planeNumbers, group(allPlanes, planeNumbers));
         spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
         boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
         lists = new SurfaceList[] {planes, spheres, boxes};
@@ -97,6 +100,12 @@ public final class PreparedScene {
 
     private boolean needsHierarchy(int[] numbers) {
         return numbers.length >= FEWEST_IN_A_HIERARCHY && shortcuts.contains(Shortcut.HIERARCHY);
+    }
+
+    /** Groups many planes, and brings them and their numbers in the order of the groups. */
+    private Optional<PlaneGroups> group(Plane[] planes, int[] numbers) {
+        return planes.length >= FEWEST_IN_GROUPS && shortcuts.contains(Shortcut.HIERARCHY)
+            ? Optional.of(PlaneGroups.of(planes, numbers)) : Optional.empty();
     }
 
     /** Builds a hierarchy over many bodies, and brings their numbers in its order. */
