@@ -30,27 +30,6 @@ import raytracing.trace.RayQuery;
  * background also stands for all that has a negligible weight, and for the rays that are left in the queue.
  */
 public final class Shader {
-    /**
-     * A weight that no 8-bit channel shows: light of 1 adds less than a sixteenth of a step of 1/255. This bounds the change
-     * by one ray left out (proved); many add up. On the scenes of this project no pixel differs by more than one step from the
-     * picture with none left out (measured in {@code LeftOutLightTest}).
-     */
-    static final double NEGLIGIBLE_WEIGHT = 0x1p-12;
-
-    /**
-     * How many surfaces the rays of one pixel may meet before those that still wait are left out. Ten times as many as the
-     * deepest known scene needs (a nest of transparent balls, 373; {@code scenes/bubbles.txt}, 97), and few enough that a
-     * pixel takes at most about a millisecond without lights.
-     */
-    static final int MOST_SURFACES = 1 << 12;
-
-    /**
-     * The same for the rays of an estimate, thousands of which make a mean: what one of them leaves out adds at most a
-     * sixty-fourth of its light, and in a hall of mirrors it ends sooner.
-     */
-    private static final double NEGLIGIBLE_IN_A_MEAN = 0x1p-6;
-    private static final int MOST_SURFACES_IN_A_MEAN = 1 << 7;
-
     /** Four times the rounding of a plane's unit normal. */
     private static final double NORMAL_ERROR = 0x1p-49;
 
@@ -79,7 +58,8 @@ public final class Shader {
     private final int maxReflections;
     private final double ambientScale;
     private final double negligibleWeight;
-    private final int mostSurfaces;
+    private final Thoroughness thoroughness;
+    private final LeftOutLight leftOut;
     private final RayQuery query;
     private final SoftShadows shadows;
     private final AmbientLookup ambientLight;
@@ -107,7 +87,7 @@ public final class Shader {
 
     /** A shader for pictures of a scene, whose surfaces are also given prepared. */
     public Shader(Scene scene, PreparedScene prepared, ShadowMethod shadowMethod, AmbientLight ambientLight) {
-        this(scene, prepared, shadowMethod, ambientLight, NEGLIGIBLE_WEIGHT, MOST_SURFACES,
+        this(scene, prepared, shadowMethod, ambientLight, Thoroughness.OF_A_PICTURE,
             new VertexReservoir(VertexReservoir.Scattering.NONE));
     }
 
@@ -116,17 +96,16 @@ public final class Shader {
      * each point that a ray meets to the vertex.
      */
     public static Shader forEstimates(Scene scene, PreparedScene prepared, VertexReservoir vertex) {
-        return new Shader(scene, prepared, ShadowMethod.Sampled.withRoot(1), AmbientLight.NONE, NEGLIGIBLE_IN_A_MEAN,
-            MOST_SURFACES_IN_A_MEAN, vertex);
+        return new Shader(scene, prepared, ShadowMethod.Sampled.withRoot(1), AmbientLight.NONE,
+            Thoroughness.OF_A_MEAN, vertex);
     }
 
-    /** With a weight below which light is not followed (0: all is), and a number of surfaces for each pixel. */
     Shader(Scene scene, PreparedScene prepared, ShadowMethod shadowMethod, AmbientLight ambientLight,
-           double negligibleWeight, int mostSurfaces, VertexReservoir vertex) {
+           Thoroughness thoroughness, VertexReservoir vertex) {
         this.ambientLight = new AmbientLookup(ambientLight);
         this.vertex = vertex;
-        this.negligibleWeight = negligibleWeight;
-        this.mostSurfaces = mostSurfaces;
+        this.thoroughness = thoroughness;
+        negligibleWeight = thoroughness.negligibleWeight();
         ambientScale = scene.settings().ambientScale();
         materials = scene.materials().toArray(new Material[0]);
         lights = scene.lights().toArray(new Light[0]);
@@ -136,6 +115,7 @@ public final class Shader {
         }
         background = scene.settings().background();
         maxReflections = scene.settings().maxReflections();
+        leftOut = new LeftOutLight(background, maxReflections, thoroughness.unseenWeight());
         query = new RayQuery(prepared);
         shadows = shadowMethod.shadows(prepared, scene.settings().shadowRayRoot(), lights.length);
     }
@@ -211,6 +191,7 @@ public final class Shader {
     private void followAll(long key) {
         eyeRayCount++;
         mirroredRays.clear();
+        leftOut.clear();
         vertex.clear();
         surfacesMet = 0;
         fingerprint = NOTHING_MET;
@@ -219,19 +200,32 @@ public final class Shader {
         addToFingerprint(END_OF_RAY);
         directFingerprint = fingerprint;
         isMirrorSeen = !mirroredRays.isEmpty();
-        while (surfacesMet < mostSurfaces && !mirroredRays.isEmpty()) {
+        int most = surfacesMet + thoroughness.mostSurfaces();
+        int raysLeft = thoroughness.mostRays();
+        while (surfacesMet < most && raysLeft > 0 && !mirroredRays.isEmpty()) {
             mirroredRayCount++;
+            raysLeft--;
             MirroredRay next = mirroredRays.remove();
+            leftOut.follow(next.weight, pixel);
             query.start(next.ray.origin(), next.ray.dx(), next.ray.dy(), next.ray.dz());
             weight.set(next.weight);
             follow(next.reflections, next.key);
             addToFingerprint(END_OF_RAY);
         }
         surfaceCount += surfacesMet;
+        leaveOutTheRest();
+    }
+
+    /** Takes the background for the rays that still wait, and corrects it where they weigh much. */
+    private void leaveOutTheRest() {
+        leftOut.end(pixel);
         while (!mirroredRays.isEmpty()) {
             leftOutCount++;
-            pixel.add(1, mirroredRays.remove().weight, background);
+            MirroredRay waiting = mirroredRays.remove();
+            leftOut.leaveWaiting(waiting.weight, waiting.reflections);
+            pixel.add(1, waiting.weight, background);
         }
+        leftOut.addTo(pixel);
     }
 
     private void addToFingerprint(int number) {
@@ -269,12 +263,12 @@ public final class Shader {
             }
             if (!material.reflection().isBlack()) {
                 mirroredWeight.setProduct(weight, material.reflection());
+                leftOut.goOn(mirroredWeight);
                 if (reflections < maxReflections && mirroredWeight.max() >= negligibleWeight) {
                     mirroredRays.add(hit.origin(), mirrored, mirroredWeight, reflections + 1,
                         CounterRandom.bits(hitKey, MIRROR));
                 } else {
-                    leftOutCount += reflections < maxReflections ? 1 : 0;
-                    pixel.add(1, mirroredWeight, background);
+                    leaveOut(reflections);
                 }
             }
             if (transparency == 0) {
@@ -282,10 +276,23 @@ public final class Shader {
             }
             weight.scale(transparency);
             if (weight.max() < negligibleWeight) {
+                leftOut.goOn(weight);
+                leftOut.leaveOut(weight, reflections);
                 break;                       // the background stands for all that is behind
             }
         }
         pixel.add(1, weight, background);
+    }
+
+    /** Takes the background for a mirrored ray that is too faint, or beyond the limit of mirroring. */
+    private void leaveOut(int reflections) {
+        if (reflections < maxReflections) {
+            leftOutCount++;
+            leftOut.leaveOut(mirroredWeight, reflections + 1);
+        } else {
+            leftOut.replace(mirroredWeight);
+        }
+        pixel.add(1, mirroredWeight, background);
     }
 
     /**

@@ -40,8 +40,8 @@ class ShaderTest {
     /** With nothing left out: for tests whose light comes from far down a chain of reflections. */
     private static Color allLight(String... lines) {
         Scene scene = scene(CAM, lines);
-        return light(scene, new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE, 0,
-            Shader.MOST_SURFACES, new VertexReservoir(VertexReservoir.Scattering.NONE)));
+        return light(scene, new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE,
+            new Thoroughness(0, 1 << 12, 1 << 8, Double.POSITIVE_INFINITY), new VertexReservoir(VertexReservoir.Scattering.NONE)));
     }
 
     private static Color light(Scene scene, Shader shader) {
@@ -226,7 +226,7 @@ class ShaderTest {
         double all = allLight(lines).red();
         double without = light(lines).red();
         double ahead = 2 / (1 - mirror);     // what the chain shines with from any mirror on, with no end
-        assertEquals(all, without, Shader.NEGLIGIBLE_WEIGHT * Math.abs(ahead - 3));
+        assertEquals(all, without, Thoroughness.OF_A_PICTURE.negligibleWeight() * Math.abs(ahead - 3));
         assertTrue(all != without, "nothing was left out");
     }
 
@@ -271,17 +271,19 @@ class ShaderTest {
     }
 
     /**
-     * One ray passes more balls than a pixel may meet, and each mirrors half of what comes from the front. None of the
-     * mirrored rays is followed: for each stands half of the background.
+     * One ray passes many balls, each mirrors half of what comes from the front, and none of the mirrored rays is followed:
+     * where nothing is estimated, half of the background stands for each.
      */
     @Test
     void theBackgroundStandsForEveryRayThatIsLeftOut() {
-        int count = Shader.MOST_SURFACES + 4;
+        int count = 1000;
         StringBuilder balls = new StringBuilder("mtl 0 0 0  0 0 0  0.5 0.5 0.5  1 1\n");
         for (int i = 1; i <= count; i++) {
             balls.append("sph 0 0 ").append(4 * i).append(" 1 1\n");
         }
-        Color found = light("set 0.25 0.5 1 1 10", balls.toString());
+        Scene scene = scene(CAM, "set 0.25 0.5 1 1 10", balls.toString());
+        Color found = light(scene, new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE,
+            new Thoroughness(0, 0, 0, Double.POSITIVE_INFINITY), new VertexReservoir(VertexReservoir.Scattering.NONE)));
         assertColor(0.25 * (1 + count / 2.0), 0.5 * (1 + count / 2.0), 1 + count / 2.0, found);
     }
 
