@@ -10,7 +10,7 @@ import raytracing.surface.RayOrigin;
 import raytracing.surface.Surface;
 
 /**
- * The crossings that a query of a ray has found: either the nearest alone, or all of them. Crossings are ordered as the real
+ * The crossings that a query of a ray has found: either the nearest alone, or the next few, or all of them. Crossings are ordered as the real
  * numbers that they stand for, and equal ones by the number of the surface. So coincident surfaces have an order too, that of
  * the scene, and a query that goes from each crossing to the next meets every surface once. Where distances in doubles are too
  * close to be ordered, exact ones are compared. Not thread-safe.
@@ -40,7 +40,9 @@ final class Crossings {
     /** The exact crossings of the few surfaces whose distances are too close, by number. */
     private final Map<Integer, Surd> exactCrossings = new HashMap<>();
 
-    private boolean keepsAll;
+    /** Whether the query keeps more than the nearest crossing, and how many at most. */
+    private boolean keepsMany;
+    private int most;
     private double[] keptDistances = new double[16];
     private int[] keptNumbers = new int[16];
     private int count;
@@ -55,18 +57,14 @@ final class Crossings {
     void findNearest() {
         beginAfter(0, RayOrigin.NO_SURFACE);
         exactCrossings.clear();
-        keepsAll = false;
+        keepsMany = false;
     }
 
-    /** Begins a query for the nearest crossing after the one found. */
-    void findNearestAfterThis() {
+    /** Begins a query for the next crossings after the one found, at least one and at most so many. */
+    void findNext(int atMost) {
         beginAfter(distance, surface);
-    }
-
-    /** Begins a query for all crossings after the one found. */
-    void findFurther() {
-        beginAfter(distance, surface);
-        keepsAll = true;
+        keepsMany = atMost > 1;
+        most = atMost;
     }
 
     private void beginAfter(double crossing, int number) {
@@ -91,7 +89,7 @@ final class Crossings {
             return;
         }
         boolean isClearlyAfterStart = crossing > clearlyAfterStart;
-        if (isClearlyAfterStart && keepsAll) {
+        if (isClearlyAfterStart && keepsMany) {
             keep(crossing, number);
         } else if (isClearlyAfterStart && crossing < clearlyBeforeFound) {
             setFound(crossing, number);
@@ -106,26 +104,46 @@ final class Crossings {
                 || !comesBefore(afterDistance, afterSurface, crossing, number)) {
             return;
         }
-        if (keepsAll) {
+        if (keepsMany) {
             keep(crossing, number);
         } else if (comesBefore(crossing, number, distance, surface)) {
             setFound(crossing, number);
         }
     }
 
+    /** Keeps a crossing at its place in the order; where that makes one too many, the last is forgotten. */
     private void keep(double crossing, int number) {
+        int place = place(crossing, number);
+        if (place == most) {
+            return;
+        }
         if (count == keptNumbers.length) {
             keptDistances = Arrays.copyOf(keptDistances, 2 * count);
             keptNumbers = Arrays.copyOf(keptNumbers, 2 * count);
         }
-        int i = count++;
-        while (i > 0 && comesBefore(crossing, number, keptDistances[i - 1], keptNumbers[i - 1])) {
-            keptDistances[i] = keptDistances[i - 1];
-            keptNumbers[i] = keptNumbers[i - 1];
-            i--;
+        count = Math.min(count + 1, most);
+        System.arraycopy(keptDistances, place, keptDistances, place + 1, count - 1 - place);
+        System.arraycopy(keptNumbers, place, keptNumbers, place + 1, count - 1 - place);
+        keptDistances[place] = crossing;
+        keptNumbers[place] = number;
+        if (count == most) {
+            setFound(keptDistances[count - 1], keptNumbers[count - 1]);
         }
-        keptDistances[i] = crossing;
-        keptNumbers[i] = number;
+    }
+
+    /** How many of the kept crossings come before another one. */
+    private int place(double crossing, int number) {
+        int low = 0;
+        int high = count;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (comesBefore(crossing, number, keptDistances[middle], keptNumbers[middle])) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        return low;
     }
 
     private boolean comesBefore(double crossing, int number, double otherCrossing, int otherNumber) {
@@ -166,11 +184,16 @@ final class Crossings {
         return number != start && other != start && surfaces[number].isInPlaceOf(surfaces[other]);
     }
 
-    boolean keepsAll() {
-        return keepsAll;
+    boolean keepsMany() {
+        return keepsMany;
     }
 
-    /** After a query for all: goes on to the next of them, or to a miss. */
+    /** Whether the next crossing is among those kept, or it is known that there is none. */
+    boolean knowsNext() {
+        return keepsMany && (next < count || count < most);
+    }
+
+    /** After a query for many: goes on to the next of them, or to a miss. */
     void advance() {
         boolean isOver = next == count;
         distance = isOver ? Surface.MISS : keptDistances[next];
@@ -182,7 +205,10 @@ final class Crossings {
         return distance == Surface.MISS;
     }
 
-    /** The nearest crossing so far, or the one that was advanced to; none while a query collects all crossings. */
+    /**
+     * The nearest crossing so far, or the one that was advanced to; while a query collects many, the last of those that it
+     * keeps at most, and none before it has as many.
+     */
     double distance() {
         return distance;
     }

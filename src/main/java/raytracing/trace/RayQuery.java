@@ -15,12 +15,15 @@ import raytracing.surface.Surface;
  * rays allocate nothing. Not thread-safe.
  */
 public final class RayQuery {
+    private static final int PASSED_ONE_BY_ONE = 3;
+
     private final PreparedScene scene;
     private final Ray ray = new Ray();
     private final Crossings crossings;
     private final RayTraversal traversal = new RayTraversal();
     private final Hit hit = new Hit();
     private boolean isStarted;
+    private int passed;
     private Surface surface;
 
     public RayQuery(PreparedScene scene) {
@@ -41,23 +44,23 @@ public final class RayQuery {
 
     /**
      * Goes on to the next surface: the first at the first call, then the one after that. Few surfaces are tested once for
-     * their first crossing; if the query goes on, once more for all their crossings. With many, each step searches the
-     * hierarchies for one crossing, as most surfaces lie behind the next. Long on purpose: the virtual machine does not compile
+     * their first crossing; if the query goes on, once more for all their crossings. With many, a step searches the
+     * hierarchies for one crossing, as most surfaces lie behind the next; from the fourth step on for as many as were passed,
+     * as a ray that has passed some is likely to be among glass in glass. Long on purpose: the virtual machine does not compile
      * a method of more than 325 bytes into its callers again (DECISIONS).
      *
      * @return false if the ray meets no further surface
      */
     public boolean advance() {
-        boolean knowsTheRest = isStarted && crossings.keepsAll();
+        boolean knowsNext = isStarted && crossings.knowsNext();
         if (!isStarted) {
             isStarted = true;
+            passed = 0;
             crossings.findNearest();
-        } else if (scene.hasHierarchy()) {
-            crossings.findNearestAfterThis();
-        } else if (!knowsTheRest) {
-            crossings.findFurther();
+        } else if (!knowsNext) {
+            crossings.findNext(!scene.hasHierarchy() ? Integer.MAX_VALUE : passed <= PASSED_ONE_BY_ONE ? 1 : passed);
         }
-        if (!knowsTheRest) {
+        if (!knowsNext) {
             for (SurfaceList list : scene.lists()) {
                 list.offerCrossings(ray, traversal, crossings);
             }
@@ -66,9 +69,10 @@ public final class RayQuery {
                 crossings.offer(body.farWall(ray), origin.surface());
             }
         }
-        if (crossings.keepsAll()) {
+        if (crossings.keepsMany()) {
             crossings.advance();
         }
+        passed++;
         if (crossings.isMiss()) {
             return false;
         }
