@@ -68,7 +68,7 @@ public final class CrowdReport {
             }
         }
         return "\n" + Machine.origin("gradle crowds") + "\nPictures of " + SIZE + " x " + SIZE + " pixels, one process each"
-            + before.map(jar -> "; before: " + jar).orElse("") + ". No figures: it failed, or took more than " + MOST_SECONDS
+            + before.map(jar -> "; before: " + jar.getFileName()).orElse("") + ". No figures: it failed, or took more than " + MOST_SECONDS
             + " s.\n" + MeasuredProcess.missing() + "\n"
             + MarkdownTable.of(List.of("scene", "things", "before, s", "before, CPU s", "before, MiB", "now, s", "now, CPU s",
                 "now, MiB", "half as many, CPU s", "things grow by", "CPU time grows by"), rows).strip();

@@ -11,12 +11,12 @@ import raytracing.color.MutableColor;
  *
  * <p>Of these last rays, the later half at least, two means are known: the light E that such a ray brings by itself, and the
  * sum M of the weights of the rays as which it goes on, mirrored or, as too faint a ray, behind glass; both for a weight of 1.
- * So a ray that may be mirrored k times more brings L(k) = E + M L(k - 1), with L(-1) the background. For rays that weigh still less E and M are smaller, so this is
- * too much: what the estimate adds to the background is multiplied by {@link #SHARE} (measured in halls of planes and of balls,
- * where 0.4 to 0.9 were right: DECISIONS). Mutable, so that following rays does not allocate. Not thread-safe.
+ * So a ray that may be mirrored k times more brings L(k) = E + M L(k - 1), with L(-1) the background. For rays that weigh
+ * still less both are smaller, M above all, so of what L(k) has beyond L(0) only a {@link #SHARE} is taken (measured in halls of
+ * planes and of balls: DECISIONS). Mutable, so that following rays does not allocate. Not thread-safe.
  */
 final class LeftOutLight {
-    private static final double SHARE = 0.5;
+    private static final double SHARE = 0.4;
 
     /** In each array three channels of the sum of the weights followed, of those going on, of those replaced, of light. */
     private static final int FOLLOWED = 0;
@@ -121,7 +121,8 @@ final class LeftOutLight {
             double next = own + mirrored * light;
             light += Math.min(left + 1, 1) * (next - light);      // the last step is a part of one
         }
-        double beyond = SHARE * seen * (light - behind);
+        double once = own + mirrored * behind;
+        double beyond = seen * (once + SHARE * (light - once) - behind);
         return Math.abs(beyond) <= Double.MAX_VALUE ? beyond : beyond > 0 ? Double.MAX_VALUE : 0;
     }
 

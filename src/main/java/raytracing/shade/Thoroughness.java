@@ -17,10 +17,10 @@ record Thoroughness(double negligibleWeight, int mostSurfaces, int mostRays, dou
      * {@code LeftOutLightTest}).
      *
      * <p>The deepest pixel of the known scenes that are no halls of mirrors meets 373 surfaces, with 97 in
-     * {@code scenes/bubbles.txt}; 4096 surfaces take about a millisecond without lights. Of 4096 rays instead of 256 the errors in
-     * halls were half as large for twelve times the time (DECISIONS).
+     * {@code scenes/bubbles.txt}; 4096 surfaces take about a millisecond without lights. In halls
+     * of planes 512 rays meet about half as many.
      */
-    static final Thoroughness OF_A_PICTURE = new Thoroughness(0x1p-12, 1 << 12, 1 << 8, 0x1p-7);
+    static final Thoroughness OF_A_PICTURE = new Thoroughness(0x1p-12, 1 << 12, 1 << 9, 0x1p-7);
 
     /**
      * For the rays of an estimate, thousands of which make a mean: what one of them leaves out adds at most a sixty-fourth of
