@@ -3,6 +3,8 @@ package raytracing.shadow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,6 +48,18 @@ class SoftShadowsTest {
     @ValueSource(ints = {1, 2, 5})
     void behindAWallNoLightArrives(int root) {
         assertEquals(0, share(root, 1, 1, 2, "pln 0 1 0 5 1"));
+    }
+
+    /** With less than a hundred bytes for each, a thread can have tens of thousands of lights. */
+    @Test
+    void aLightTakesLittleMemory() {
+        PreparedScene prepared = Queries.prepared(SceneText.scene(HEAD), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        ThreadMXBean memory = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = memory.getThreadAllocatedBytes(Thread.currentThread().getId());
+        SoftShadows shadows = new SampledShadows(prepared, 2, 20_000);
+        long taken = memory.getThreadAllocatedBytes(Thread.currentThread().getId()) - before;
+        assertEquals(0, shadows.rays());
+        assertTrue(taken < 100 * 20_000, taken + " bytes");
     }
 
     @ParameterizedTest(name = "s = {0}")

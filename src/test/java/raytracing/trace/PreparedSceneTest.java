@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Random;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import raytracing.SceneText;
 import raytracing.math.Vector;
 import raytracing.math.Vectors;
+import raytracing.parallel.ForkJoin;
 import raytracing.scene.Scene;
 import raytracing.surface.Departure;
 import raytracing.surface.HitRecord;
@@ -227,5 +230,26 @@ class PreparedSceneTest {
             HitRecord top = new HitRecord(0, 1, Vector.ZERO, 0, normal, seenFrom);
             assertEquals(expected, transmittance(prepared(body), top, dx, dy, 0), why);
         }
+    }
+
+    /** From the fourth step on, a hierarchy is searched for several surfaces at once; also behind an opaque one. */
+    @Test
+    void aRayMeetsBallsInBallsInTheSameOrderWithAHierarchy() {
+        Random random = new Random(3);
+        StringBuilder balls = new StringBuilder();
+        for (int i = 0; i < 300; i++) {
+            double radius = i % 3 == 0 ? 2 + i / 100 : 1 + 4 * random.nextDouble();   // some coincide
+            balls.append("sph 0 0 0 ").append(radius).append(" 1\n");
+        }
+        Scene scene = scene(balls.toString());
+        PreparedScene plain = new PreparedScene(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT,
+            EnumSet.noneOf(Shortcut.class), ForkJoin.sequential());
+        PreparedScene arranged = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        for (int i = 0; i < 50; i++) {
+            RayRecord ray = new RayRecord(new Vector(6 * random.nextGaussian(), 6 * random.nextGaussian(), -6),
+                new Vector(random.nextGaussian() / 4, random.nextGaussian() / 4, 1));
+            assertEquals(walk(plain, ray), walk(arranged, ray));
+        }
+        assertEquals(300, walk(arranged, new RayRecord(Vector.ZERO, new Vector(0, 0, 1))).size());
     }
 }
