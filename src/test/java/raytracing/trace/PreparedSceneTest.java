@@ -1,9 +1,11 @@
 package raytracing.trace;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -14,6 +16,7 @@ import raytracing.SceneText;
 import raytracing.math.Vector;
 import raytracing.math.Vectors;
 import raytracing.scene.Scene;
+import raytracing.surface.Body;
 import raytracing.surface.Departure;
 import raytracing.surface.HitRecord;
 import raytracing.surface.RayRecord;
@@ -226,6 +229,23 @@ class PreparedSceneTest {
             Vector normal = new Vector(0, seenFrom == Departure.OUTWARD ? 1 : -1, 0);
             HitRecord top = new HitRecord(0, 1, Vector.ZERO, 0, normal, seenFrom);
             assertEquals(expected, transmittance(prepared(body), top, dx, dy, 0), why);
+        }
+    }
+
+    /** In the order of the hierarchy, which is not that of the scene. */
+    @Test
+    void packedNumbersAreThoseOfTheBodies() {
+        String[] lines = new String[200];
+        for (int i = 0; i < lines.length; i++) {
+            String place = i * 37 % 101 + " " + i * 53 % 97 + " " + i * 71 % 89;
+            lines[i] = (i % 2 == 0 ? "sph " : "box ") + place + " 0." + (1 + i) + " 1";
+        }
+        PreparedScene prepared = prepared(lines);
+        double[] expected = new double[Body.PACKED];
+        for (int i = 0; i < 100; i++) {
+            ((Body) prepared.surface(prepared.spheres().numbers()[i])).pack(expected, 0);
+            assertArrayEquals(expected, Arrays.copyOfRange(prepared.spheres().packed(), Body.PACKED * i, Body.PACKED * (i + 1)));
+            assertEquals(prepared.surface(prepared.spheres().numbers()[i]), prepared.spheres().spheres()[i]);
         }
     }
 }
