@@ -284,6 +284,27 @@ class RayTraversalTest {
         return leaves;
     }
 
+    /** At the ends of the range of floats and beyond, boxes may be infinite: too much may be visited, and nothing is lost. */
+    @ParameterizedTest
+    @ValueSource(ints = {-1000, -149, -140, -126, -100, 100, 120, 125, 126, 127, 128, 1000})
+    void noScaleLosesAnything(int exponent) {
+        double factor = Math.scalb(1.0, exponent);
+        Boxes boxes = Boxes.of(Boxes.scaled(Boxes.scattered(300, 0.1), factor));
+        SplittableRandom random = new SplittableRandom(exponent);
+        for (int i = 0; i < 300; i++) {
+            double[] ray = Boxes.scaled(randomRay(random), factor);
+            for (int speed = 0; speed < 2; speed++) {
+                BitSet visited = visited(boxes, ray, 0, EVER);
+                for (int body = 0; body < boxes.size(); body++) {
+                    assertTrue(entry(boxes, body, ray) == EVER || visited.get(body));
+                }
+                for (int axis = 3; axis < 6; axis++) {
+                    ray[axis] /= factor;     // directions near 1
+                }
+            }
+        }
+    }
+
     /** Reciprocals may become infinite, and times may keep few bits: nothing that a ray touches is lost by that. */
     @ParameterizedTest
     @ValueSource(ints = {-1074, -1060, -1024, -1023, -1000, -300, 300, 1000, 1019, 1020, 1021})

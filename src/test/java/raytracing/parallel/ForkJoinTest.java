@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
@@ -138,5 +139,20 @@ class ForkJoinTest {
         forkJoin.expect(8);
         forkJoin.advance(2);
         assertEquals(new State(Step.ARRANGING, 0.25), preparation.state());
+    }
+
+    @Test
+    void rangesHoldEveryNumberOnce() {
+        AtomicInteger[] counts = new AtomicInteger[1000];
+        Arrays.setAll(counts, i -> new AtomicInteger());
+        new ForkJoin(3, new Preparation()).runRanges(10, 1000, 7, (from, to) -> {
+            assertTrue(to - from <= 7);
+            for (int i = from; i < to; i++) {
+                counts[i].incrementAndGet();
+            }
+        });
+        for (int i = 0; i < counts.length; i++) {
+            assertEquals(i < 10 ? 0 : 1, counts[i].get());
+        }
     }
 }

@@ -1,9 +1,11 @@
 package raytracing.trace;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
@@ -17,6 +19,7 @@ import raytracing.math.Vector;
 import raytracing.math.Vectors;
 import raytracing.parallel.ForkJoin;
 import raytracing.scene.Scene;
+import raytracing.surface.Body;
 import raytracing.surface.Departure;
 import raytracing.surface.HitRecord;
 import raytracing.surface.RayRecord;
@@ -251,5 +254,21 @@ class PreparedSceneTest {
             assertEquals(walk(plain, ray), walk(arranged, ray));
         }
         assertEquals(300, walk(arranged, new RayRecord(Vector.ZERO, new Vector(0, 0, 1))).size());
+
+    /** In the order of the hierarchy, which is not that of the scene. */
+    @Test
+    void packedNumbersAreThoseOfTheBodies() {
+        String[] lines = new String[200];
+        for (int i = 0; i < lines.length; i++) {
+            String place = i * 37 % 101 + " " + i * 53 % 97 + " " + i * 71 % 89;
+            lines[i] = (i % 2 == 0 ? "sph " : "box ") + place + " 0." + (1 + i) + " 1";
+        }
+        PreparedScene prepared = prepared(lines);
+        double[] expected = new double[Body.PACKED];
+        for (int i = 0; i < 100; i++) {
+            ((Body) prepared.surface(prepared.spheres().numbers()[i])).pack(expected, 0);
+            assertArrayEquals(expected, Arrays.copyOfRange(prepared.spheres().packed(), Body.PACKED * i, Body.PACKED * (i + 1)));
+            assertEquals(prepared.surface(prepared.spheres().numbers()[i]), prepared.spheres().spheres()[i]);
+        }
     }
 }
