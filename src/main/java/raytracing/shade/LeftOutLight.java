@@ -18,6 +18,9 @@ import raytracing.color.MutableColor;
 final class LeftOutLight {
     private static final double SHARE = 0.4;
 
+    /** Number of the first ray that is recorded, a power of two: most pixels have fewer, and need no estimate. */
+    private static final int FIRST = 4;
+
     /** In each array three channels of the sum of the weights followed, of those going on, of those replaced, of light. */
     private static final int FOLLOWED = 0;
     private static final int GOING_ON = 3;
@@ -53,7 +56,6 @@ final class LeftOutLight {
 
     /** For a new pixel. */
     void clear() {
-        Arrays.fill(sums, 0);
         weights.clear();
         reflections.clear();
         followed = 0;
@@ -61,23 +63,36 @@ final class LeftOutLight {
 
     /** A mirrored ray of this weight is followed next; until now the pixel has this light. */
     void follow(MutableColor weight, MutableColor pixel) {
-        if (Integer.bitCount(followed) <= 1) {
-            set(LIGHT, pixel);
-            System.arraycopy(followed <= 1 ? sums : atPower, 0, atPowerBefore, 0, SUMS);
-            System.arraycopy(sums, 0, atPower, 0, SUMS);
+        if (followed >= FIRST) {
+            record(weight, pixel);
         }
         followed++;
+    }
+
+    private void record(MutableColor weight, MutableColor pixel) {
+        if (Integer.bitCount(followed) == 1) {
+            if (followed == FIRST) {
+                Arrays.fill(sums, 0);
+            }
+            set(LIGHT, pixel);
+            System.arraycopy(followed == FIRST ? sums : atPower, 0, atPowerBefore, 0, SUMS);
+            System.arraycopy(sums, 0, atPower, 0, SUMS);
+        }
         add(FOLLOWED, weight);
     }
 
     /** Some of the ray goes on as one of this weight, which is followed later or never. */
     void goOn(MutableColor weight) {
-        add(GOING_ON, weight);
+        if (followed > FIRST) {
+            add(GOING_ON, weight);
+        }
     }
 
     /** In place of a ray that may not be mirrored again, the background was taken. */
     void replace(MutableColor weight) {
-        add(REPLACED, weight);
+        if (followed > FIRST) {
+            add(REPLACED, weight);
+        }
     }
 
     /** The background was taken in place of a ray that would be followed if it weighed more, mirrored so many times. */
@@ -99,7 +114,7 @@ final class LeftOutLight {
 
     /** Adds to a pixel what the rays left out bring beyond the background. */
     void addTo(MutableColor pixel) {
-        if (followed > 0 && weights.max() > unseenWeight) {
+        if (followed > FIRST && weights.max() > unseenWeight) {
             pixel.add(beyond(0, weights.red(), reflections.red(), background.red()),
                 beyond(1, weights.green(), reflections.green(), background.green()),
                 beyond(2, weights.blue(), reflections.blue(), background.blue()));
