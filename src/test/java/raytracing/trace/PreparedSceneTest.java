@@ -254,6 +254,7 @@ class PreparedSceneTest {
             assertEquals(walk(plain, ray), walk(arranged, ray));
         }
         assertEquals(300, walk(arranged, new RayRecord(Vector.ZERO, new Vector(0, 0, 1))).size());
+    }
 
     /** In the order of the hierarchy, which is not that of the scene. */
     @Test
