@@ -37,7 +37,7 @@ public final class CrowdReport {
      * Measures and writes.
      *
      * @param arguments any of: {@code before=FILE}, the jar of an older version, to be measured in turn with the present one;
-     *        {@code only=NAME,NAME} for some of the scenes, by their names in {@link CrowdedScene}, which prints the table instead
+     *        {@code only=NAME,NAME} for some of the scenes, by their names in {@link CrowdedScene}; this prints the table
      */
     public static void main(String[] arguments) throws IOException {
         Path folder = Files.createTempDirectory("crowds");
@@ -68,7 +68,8 @@ public final class CrowdReport {
             }
         }
         return "\n" + Machine.origin("gradle crowds") + "\nPictures of " + SIZE + " x " + SIZE + " pixels, one process each"
-            + before.map(jar -> "; before: " + jar.getFileName()).orElse("") + ". No figures: it failed, or took more than " + MOST_SECONDS
+            + before.map(jar -> "; before: " + jar.getFileName()).orElse("")
+            + ". No figures: it failed, or took more than " + MOST_SECONDS
             + " s.\n" + MeasuredProcess.missing() + "\n"
             + MarkdownTable.of(List.of("scene", "things", "before, s", "before, CPU s", "before, MiB", "now, s", "now, CPU s",
                 "now, MiB", "half as many, CPU s", "things grow by", "CPU time grows by"), rows).strip();

@@ -106,7 +106,8 @@ class LeftOutLightTest {
         PreparedScene prepared = Queries.prepared(scene, ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
         AmbientLight ambientLight =
             AmbientEstimate.of(scene, prepared, size, size, 1, Double.POSITIVE_INFINITY, ForkJoin.sequential());
-        Shader shader = new Shader(scene, prepared, ShadowMethod.OF_THE_SCENE, ambientLight, thoroughness, new VertexReservoir(VertexReservoir.Scattering.NONE));
+        Shader shader = new Shader(scene, prepared, ShadowMethod.OF_THE_SCENE, ambientLight, thoroughness,
+            new VertexReservoir(VertexReservoir.Scattering.NONE));
         CameraRays rays = new CameraRays(scene.camera(), size, size);
         Film film = new Film(size, size);
         for (int y = 0; y < size; y++) {

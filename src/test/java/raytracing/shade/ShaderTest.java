@@ -41,7 +41,8 @@ class ShaderTest {
     private static Color allLight(String... lines) {
         Scene scene = scene(CAM, lines);
         return light(scene, new Shader(scene, prepared(scene), ShadowMethod.OF_THE_SCENE, AmbientLight.NONE,
-            new Thoroughness(0, 1 << 12, 1 << 8, Double.POSITIVE_INFINITY), new VertexReservoir(VertexReservoir.Scattering.NONE)));
+            new Thoroughness(0, 1 << 12, 1 << 8, Double.POSITIVE_INFINITY),
+            new VertexReservoir(VertexReservoir.Scattering.NONE)));
     }
 
     private static Color light(Scene scene, Shader shader) {
