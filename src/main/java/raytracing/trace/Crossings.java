@@ -11,9 +11,9 @@ import raytracing.surface.Surface;
 
 /**
  * The crossings that a query of a ray has found: either the nearest alone, or the next few, or all of them.
- * Crossings are ordered as the real numbers that they stand for, and equal ones by the number of the surface. So coincident surfaces have an order too, that of
- * the scene, and a query that goes from each crossing to the next meets every surface once. Where distances in doubles are too
- * close to be ordered, exact ones are compared. Not thread-safe.
+ * Crossings are ordered as the real numbers that they stand for, and equal ones by the number of the surface. So coincident
+ * surfaces have an order too, that of the scene, and a query that goes from each crossing to the next meets every surface once.
+ * Where distances in doubles are too close to be ordered, exact ones are compared. Not thread-safe.
  */
 final class Crossings {
     /**
