@@ -63,7 +63,7 @@ abstract class Obstacles<O extends Obstacles.Obstacle> {
         int[] numbers = list.numbers();
         count = 0;
         if (list.hierarchy().isEmpty()) {
-            sort(numbers, 0, numbers.length, certain);
+            sortAll(numbers, certain);
             return;
         }
         Hit apex = shaft.hit;
@@ -97,6 +97,11 @@ abstract class Obstacles<O extends Obstacles.Obstacle> {
 
     /** Whether the surface at a place of the list is certainly beside some shafts. */
     abstract boolean isBeside(int place, NearbyShafts shafts);
+
+    /** Sorts a list without a hierarchy, whose surfaces have these numbers in the scene. */
+    void sortAll(int[] numbers, CrossedSurfaces certain) {
+        sort(numbers, 0, numbers.length, certain);
+    }
 
     /** Sorts a range of the list, whose surfaces have these numbers in the scene. */
     abstract void sort(int[] numbers, int from, int to, CrossedSurfaces certain);

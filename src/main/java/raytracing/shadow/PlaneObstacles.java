@@ -70,9 +70,9 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
     }
 
     @Override
-    void sort(int[] numbers, int from, int to, CrossedSurfaces certain) {
+    void sortAll(int[] numbers, CrossedSurfaces certain) {
         if (groups.isEmpty()) {
-            sortAll(numbers, from, to, certain);
+            sort(numbers, 0, numbers.length, certain);
         } else {
             sortGroups(groups.get(), numbers, certain);
         }
@@ -86,12 +86,13 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
             place = all.next(place, hit.x(), hit.y(), hit.z(), error, shaft.tx, shaft.ty, shaft.tz,
                 TO_CORNER * shaft.halfWidth, 1);
             if (place != PlaneGroups.END) {
-                sortAll(numbers, all.from(place), all.to(place), certain);
+                sort(numbers, all.from(place), all.to(place), certain);
             }
         } while (place != PlaneGroups.END && !certain.isDark());
     }
 
-    private void sortAll(int[] numbers, int from, int to, CrossedSurfaces certain) {
+    @Override
+    void sort(int[] numbers, int from, int to, CrossedSurfaces certain) {
         int surfaceLeft = shaft.hit.surface();
         for (int i = from; i < to && !certain.isDark(); i++) {
             if (numbers[i] != surfaceLeft) {

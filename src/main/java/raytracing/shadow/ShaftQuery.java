@@ -87,7 +87,7 @@ final class ShaftQuery {
     private Obstacles.Obstacle[] transparent = new Obstacles.Obstacle[4];
     private final Obstacles<?>[] kinds;
 
-    /** What is known of shafts near the last ones, by light and surface; empty where hierarchies find the surfaces. */
+    /** What is known of shafts near the last ones, by light and surface; empty where hierarchies or groups find the surfaces. */
     private final NearbyShafts[] nearby;
 
     private final SegmentQuery segmentQuery;
@@ -117,7 +117,8 @@ final class ShaftQuery {
         transmittanceOf = scene.transmittances();
         segmentQuery = new SegmentQuery(scene, lightCount);
         wasDark = new boolean[lightCount];
-        nearby = new NearbyShafts[usesShafts && !scene.hasHierarchy() ? NEARBY : 0];
+        boolean areFew = !scene.hasHierarchy() && scene.planes().groups().isEmpty();
+        nearby = new NearbyShafts[usesShafts && areFew ? NEARBY : 0];
         for (int i = 0; i < nearby.length; i++) {
             nearby[i] = new NearbyShafts();
         }
