@@ -68,6 +68,11 @@ final class MirroredRayQueue {
         waiting.add(mirrored);
     }
 
+    /** All rays that wait, in an order that is the same every time and means nothing. */
+    Iterable<MirroredRay> waiting() {
+        return waiting;
+    }
+
     boolean isEmpty() {
         return waiting.isEmpty();
     }

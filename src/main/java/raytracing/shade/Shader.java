@@ -219,11 +219,12 @@ public final class Shader {
     /** Takes the background for the rays that still wait, and corrects it where they weigh much. */
     private void leaveOutTheRest() {
         leftOut.end(pixel);
-        while (!mirroredRays.isEmpty()) {
-            leftOutCount++;
-            MirroredRay waiting = mirroredRays.remove();
-            leftOut.leaveWaiting(waiting.weight, waiting.reflections);
-            pixel.add(1, waiting.weight, background);
+        if (!mirroredRays.isEmpty()) {
+            for (MirroredRay waiting : mirroredRays.waiting()) {     // by weight would take twice as long
+                leftOutCount++;
+                leftOut.leaveWaiting(waiting.weight, waiting.reflections);
+                pixel.add(1, waiting.weight, background);
+            }
         }
         leftOut.addTo(pixel);
     }
