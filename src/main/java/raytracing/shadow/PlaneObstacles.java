@@ -72,7 +72,7 @@ final class PlaneObstacles extends Obstacles<PlaneObstacles.PlaneObstacle> {
     @Override
     void sortAll(int[] numbers, CrossedSurfaces certain) {
         if (groups.isEmpty()) {
-            sort(numbers, 0, numbers.length, certain);
+            super.sortAll(numbers, certain);
         } else {
             sortGroups(groups.get(), numbers, certain);
         }

@@ -27,9 +27,9 @@ public final class PlaneList extends SurfaceList {
     }
 
     @Override
-    void offerCrossings(Ray ray, int from, int to, Crossings crossings) {
+    void offerAll(Ray ray, Crossings crossings) {
         if (groups.isEmpty()) {
-            offerAll(ray, from, to, crossings);
+            super.offerAll(ray, crossings);
         } else {
             offerGroups(groups.get(), ray, crossings);
         }
@@ -41,12 +41,13 @@ public final class PlaneList extends SurfaceList {
         do {
             place = all.next(place, o.x(), o.y(), o.z(), o.error(), ray.dx(), ray.dy(), ray.dz(), 0, crossings.latest());
             if (place != PlaneGroups.END) {
-                offerAll(ray, all.from(place), all.to(place), crossings);
+                offerCrossings(ray, all.from(place), all.to(place), crossings);
             }
         } while (place != PlaneGroups.END);
     }
 
-    private void offerAll(Ray ray, int from, int to, Crossings crossings) {
+    @Override
+    void offerCrossings(Ray ray, int from, int to, Crossings crossings) {
         int[] number = numbers();
         int start = ray.origin().surface();
         for (int i = from; i < to; i++) {
@@ -57,12 +58,12 @@ public final class PlaneList extends SurfaceList {
     }
 
     @Override
-    int addCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
+    int addAllCrossed(Segment segment, CrossedSurfaces crossed, int last) {
         if (groups.isEmpty()) {
-            return addAllCrossed(segment, from, to, crossed, last);
+            return super.addAllCrossed(segment, crossed, last);
         }
         if (last < planes.length) {
-            addAllCrossed(segment, last, last + 1, crossed, last);
+            addCrossed(segment, last, last + 1, crossed, last);
         }
         return crossed.isDark() ? last : addCrossedOfGroups(groups.get(), segment, crossed, last);
     }
@@ -74,13 +75,14 @@ public final class PlaneList extends SurfaceList {
         do {
             place = all.next(place, o.x(), o.y(), o.z(), segment.error(), segment.dx(), segment.dy(), segment.dz(), 0, 1);
             if (place != PlaneGroups.END) {
-                opaque = addAllCrossed(segment, all.from(place), all.to(place), crossed, opaque);
+                opaque = addCrossed(segment, all.from(place), all.to(place), crossed, opaque);
             }
         } while (place != PlaneGroups.END && !crossed.isDark());
         return opaque;
     }
 
-    private int addAllCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
+    @Override
+    int addCrossed(Segment segment, int from, int to, CrossedSurfaces crossed, int last) {
         int[] number = numbers();
         int start = segment.start().surface();
         int opaque = last;

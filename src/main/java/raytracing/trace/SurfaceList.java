@@ -38,7 +38,7 @@ public abstract class SurfaceList {
     final void offerCrossings(Ray ray, RayTraversal traversal, Crossings crossings) {
         if (hierarchy.isEmpty()) {
             if (numbers.length > 0) {
-                offerCrossings(ray, 0, numbers.length, crossings);
+                offerAll(ray, crossings);
             }
             return;
         }
@@ -58,7 +58,7 @@ public abstract class SurfaceList {
      */
     final int addCrossed(Segment segment, RayTraversal traversal, CrossedSurfaces crossed, int last) {
         if (hierarchy.isEmpty()) {
-            return numbers.length > 0 ? addCrossed(segment, 0, numbers.length, crossed, last) : last;
+            return numbers.length > 0 ? addAllCrossed(segment, crossed, last) : last;
         }
         if (last < numbers.length) {
             addCrossed(segment, last, last + 1, crossed, last);
@@ -73,6 +73,15 @@ public abstract class SurfaceList {
             opaque = addCrossed(segment, traversal.from(), traversal.to(), crossed, opaque);
         }
         return opaque;
+    }
+
+    /** The same for a list without a hierarchy that is not empty. */
+    void offerAll(Ray ray, Crossings crossings) {
+        offerCrossings(ray, 0, numbers.length, crossings);
+    }
+
+    int addAllCrossed(Segment segment, CrossedSurfaces crossed, int last) {
+        return addCrossed(segment, 0, numbers.length, crossed, last);
     }
 
     /** Offers the first crossing of a ray with each of a range of entries, but for the surface on which it starts. */
