@@ -146,7 +146,7 @@ final class ShaftQuery {
         certain.clear();
         Surface own = scene.surface(hit.surface());
         boolean isSeenFromInside = hit.side() == Departure.INWARD;
-        int place = hit.surface() + LIGHTS_APART * light & NEARBY - 1;
+        int place = (hit.surface() + LIGHTS_APART * light) & (NEARBY - 1);
         boolean isNear = nearby.length > 0 && nearby[place].holds(light, hit);
         if (isNear) {
             find(nearby[place], hit.surface());
@@ -165,18 +165,20 @@ final class ShaftQuery {
         double alongV = hit.alongNormal(axes.vx(), axes.vy(), axes.vz());
         double spread = shaft.halfWidth * (Math.abs(alongU) + Math.abs(alongV));
         boolean isWhollySeen = height - spread > shaft.margin;
-        ownBodyIsObstacle = own instanceof Body && !(isWhollySeen && !isSeenFromInside);
-        if (isSeenFromInside && own instanceof Body body && shaft.endsApartFrom(body)) {
-            ownBodyIsObstacle = false;
-            certain.add(hit.surface());
-        }
-        if (ownBodyIsObstacle) {
-            ownBody.number = hit.surface();
-            ownBody.height = height;
-            ownBody.alongU = alongU;
-            ownBody.alongV = alongV;
-            ownBody.doubt = isSeenFromInside ? Obstacles.ALWAYS_IN_DOUBT : planes.doubt(shaft.margin);
-            ownBody.isLeftByAll = shaft.endsApartFrom((Body) own);
+        ownBodyIsObstacle = false;
+        if (own instanceof Body body && (isSeenFromInside || !isWhollySeen)) {
+            boolean isLeftByAll = shaft.endsApartFrom(body);
+            ownBodyIsObstacle = !(isSeenFromInside && isLeftByAll);
+            if (ownBodyIsObstacle) {
+                ownBody.number = hit.surface();
+                ownBody.height = height;
+                ownBody.alongU = alongU;
+                ownBody.alongV = alongV;
+                ownBody.doubt = isSeenFromInside ? Obstacles.ALWAYS_IN_DOUBT : planes.doubt(shaft.margin);
+                ownBody.isLeftByAll = isLeftByAll;
+            } else {
+                certain.add(hit.surface());
+            }
         }
         if (isNear) {
             planes.sort(nearby[place].planes, certain);
@@ -204,7 +206,6 @@ final class ShaftQuery {
         planes.count = 0;
         spheres.count = 0;
         boxes.count = 0;
-        wasDark[light] = false;
         settledTransmittance = 1;
     }
 
@@ -300,16 +301,22 @@ final class ShaftQuery {
             }
         }
         int passed = 0;
-        for (int i = 0; i <= transparentCount; i++) {
-            int number = i < transparentCount ? transparent[i].number : Integer.MAX_VALUE;
-            while (passed < certain.count() && certain.number(passed) < number) {
-                points.dimAll(transmittanceOf[certain.number(passed)]);
-                passed++;
-            }
-            if (i < transparentCount) {
-                transparent[i].dim(transmittanceOf[number], shaft, points);
-            }
+        for (int i = 0; i < transparentCount; i++) {
+            int number = transparent[i].number;
+            passed = dimByCertain(passed, number, points);
+            transparent[i].dim(transmittanceOf[number], shaft, points);
         }
+        dimByCertain(passed, Integer.MAX_VALUE, points);
+    }
+
+    /** Dims by those surfaces that all lines cross whose numbers are below one; returns how many have dimmed so far. */
+    private int dimByCertain(int passed, int below, LightSamples points) {
+        int i = passed;
+        while (i < certain.count() && certain.number(i) < below) {
+            points.dimAll(transmittanceOf[certain.number(i)]);
+            i++;
+        }
+        return i;
     }
 
     /** Whether the body that was hit hides some of the square. */
