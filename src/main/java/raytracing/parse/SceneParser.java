@@ -182,13 +182,9 @@ public final class SceneParser {
         text.rewind();
         int reached = -1;
         while (reached < index && values.nextLine()) {
-            reached += isCompleteSurface() ? 1 : 0;
+            reached += text.isCompleteSurface() ? 1 : 0;
         }
         return text.lineNumber();
-    }
-
-    private boolean isCompleteSurface() {
-        return text.code().isSurface() && text.code().allows(text.count() - 1);
     }
 
     /** The exception to be thrown; a file without any code may be no scene file at all. */
@@ -292,12 +288,12 @@ public final class SceneParser {
         Vector up = camera.up();
         if (camera.position().minus(camera.lookAt()).isZero()) {
             String other = camera.position().isZero() ? "0 0 1" : "0 0 0";
-            values.refuse("look-at", "another point than the position, such as " + other, shown(camera.lookAt()));
+            values.refuse("look-at", "another point than the position, such as " + other, Values.shown(camera.lookAt()));
         } else if (up.isZero()) {
-            values.refuse("up", "a direction, not zero, such as " + upFor(camera.forward()), shown(up));
+            values.refuse("up", "a direction, not zero, such as " + upFor(camera.forward()), Values.shown(up));
         } else if (camera.forward().cross(up.unit()).length() <= PARALLEL) {
-            values.refuse("up", "at an angle to the view " + shown(camera.forward()) + ", such as "
-                + upFor(camera.forward()), shown(up));
+            values.refuse("up", "at an angle to the view " + Values.shown(camera.forward()) + ", such as "
+                + upFor(camera.forward()), Values.shown(up));
         }
     }
 
@@ -312,17 +308,13 @@ public final class SceneParser {
         return z <= x ? "0 0 1" : "1 0 0";
     }
 
-    private static String shown(Vector vector) {
-        return vector.x() + " " + vector.y() + " " + vector.z();
-    }
-
     /** Reads the file once more, as line numbers are not kept, and reports every surface whose material no line has. */
     private void checkMaterials() {
         String expected = materialCount == 0 ? "that of a mtl line, and there is none" : "from 1 to " + materialCount;
         text.rewind();
         while (values.nextLine()) {
             int last = text.count() - 1;
-            if (isCompleteSurface() && text.decimal(last) > materialCount
+            if (text.isCompleteSurface() && text.decimal(last) > materialCount
                     && Range.WHOLE_FROM_1.contains(text.decimal(last))) {
                 values.refuse("material", expected, Integer.toString((int) text.decimal(last)));
             }

@@ -185,6 +185,11 @@ final class SceneText {
         return ends[0] - start == 3 ? Code.of(bytes[start], bytes[start + 1], bytes[start + 2]) : Code.UNKNOWN;
     }
 
+    /** Whether the line is a surface with as many values as its code takes. */
+    boolean isCompleteSurface() {
+        return code().isSurface() && code().allows(count - 1);
+    }
+
     private void add(int start, int tokenEnd) {
         if (count == starts.length) {
             starts = Arrays.copyOf(starts, 2 * count);

@@ -48,11 +48,10 @@ final class SurfaceLines {
         Findings problems = new Findings("", 1);
         Values values = new Values(text, problems, problems);
         while (values.nextLine()) {
-            Code code = text.code();
-            if (!(code.isSurface() && code.allows(text.count() - 1))) {
+            if (!text.isCompleteSurface()) {
                 return false;
             }
-            Surface surface = values.surface(code);
+            Surface surface = values.surface(text.code());
             if (!problems.isEmpty()) {
                 return false;
             }

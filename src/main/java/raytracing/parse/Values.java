@@ -87,9 +87,14 @@ final class Values {
     private Vector normal() {
         Vector normal = vector("normal");
         if (normal.isZero()) {
-            refuse("normal", "a direction, not zero", normal.x() + " " + normal.y() + " " + normal.z());
+            refuse("normal", "a direction, not zero", shown(normal));
         }
         return normal;
+    }
+
+    /** A vector as a message shows it. */
+    static String shown(Vector vector) {
+        return vector.x() + " " + vector.y() + " " + vector.z();
     }
 
     private int materialIndex() {
