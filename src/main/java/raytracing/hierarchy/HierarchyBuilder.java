@@ -123,15 +123,15 @@ final class HierarchyBuilder {
 
     private void buildLarge(Part part, int from, int to, int depth) {
         int first = part.nodes.addPair();
-        int middle = (from + to) >>> 1;
+        int half = (from + to) >>> 1;
         HierarchyBuilder helper = new HierarchyBuilder(bodies, order, workers);
         helper.bins.begin(to - from, spreads, 0);
         bins.begin(to - from, spreads, 0);
-        int half = middle;
         workers.runBoth(() -> bins.fill(from, half), () -> helper.bins.fill(half, to));
         bins.add(helper.bins);
-        if (depth < DEEPEST_CUT && bins.findCut() < Float.POSITIVE_INFINITY) {
-            middle = cut(from, to);
+        boolean isCut = depth < DEEPEST_CUT && bins.findCut() < Float.POSITIVE_INFINITY;
+        int middle = isCut ? cut(from, to) : half;
+        if (isCut) {
             bins.writeSides(part.nodes.boxes(), Bounds.STRIDE * first);
             bins.writeSpreads(spreads, 0);
         } else {
@@ -140,9 +140,8 @@ final class HierarchyBuilder {
         part.nodes.setChildren(0, first);
         System.arraycopy(spreads, Bounds.STRIDE, helper.spreads, 0, Bounds.STRIDE);
         part.below = new Part[] {part(part.nodes, first), part(part.nodes, first + 1)};
-        int cut = middle;
-        workers.runBoth(() -> build(part.below[0], from, cut, depth + 1),
-            () -> helper.build(part.below[1], cut, to, depth + 1));
+        workers.runBoth(() -> build(part.below[0], from, middle, depth + 1),
+            () -> helper.build(part.below[1], middle, to, depth + 1));
     }
 
     /** A part for the tree below a node. */

@@ -89,7 +89,7 @@ public final class PyramidTraversal extends RegionTraversal {
     @Override
     boolean isOutside(int box) {
         if (boxes[box] > highX || boxes[box + 1] > highY || boxes[box + 2] > highZ
-            || boxes[box + 3] < lowX || boxes[box + 4] < lowY || boxes[box + 5] < lowZ) {
+                || boxes[box + 3] < lowX || boxes[box + 4] < lowY || boxes[box + 5] < lowZ) {
             return true;
         }
         double fromX = boxes[box] - apexX;

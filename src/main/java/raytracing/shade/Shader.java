@@ -27,7 +27,8 @@ import raytracing.trace.RayQuery;
  * reflection. Written as a sum over all surfaces that contribute, each with the product of the factors on its way to
  * the eye as its weight, this needs no recursion: a ray goes straight on through transparent surfaces, and the rays that
  * mirrors send on wait in a {@link MirroredRayQueue}. Beyond the recursion limit a mirror shows the background; the
- * background also stands for all that has a negligible weight, and for the rays that are left in the queue.
+ * background also stands for all that has a negligible weight, and for the rays that are left in the queue; where these weigh
+ * much together, {@link LeftOutLight} corrects that.
  */
 public final class Shader {
     /** Four times the rounding of a plane's unit normal. */
@@ -220,7 +221,7 @@ public final class Shader {
     private void leaveOutTheRest() {
         leftOut.end(pixel);
         if (!mirroredRays.isEmpty()) {
-            for (MirroredRay waiting : mirroredRays.waiting()) {     // by weight would take twice as long
+            for (MirroredRay waiting : mirroredRays.waiting()) {     // sorting them by weight would double the pixel's time
                 leftOutCount++;
                 leftOut.leaveWaiting(waiting.weight, waiting.reflections);
                 pixel.add(1, waiting.weight, background);
