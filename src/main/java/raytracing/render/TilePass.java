@@ -8,6 +8,14 @@ import raytracing.shade.RayCounts;
 
 /** One pass over the tiles of a part of a picture: threads draw them while the calling thread waits. */
 record TilePass(TileQueue tiles, PixelPainter painter, Cancellation cancellation) {
+    /**
+     * How long the first drawing of a virtual machine leaves one processor to its compilers. Code that is compiled sooner draws
+     * more than another thread that runs it uncompiled (tuned by measurement: DECISIONS).
+     */
+    private static final long COLD_NANOSECONDS = 150_000_000;
+
+    private static final long FIRST_PASS = System.nanoTime();
+
     /** How often the waiting thread checks whether the drawing was cancelled. */
     private static final long POLL_NANOSECONDS = 20_000_000;
 
@@ -15,22 +23,22 @@ record TilePass(TileQueue tiles, PixelPainter painter, Cancellation cancellation
     private static final long PATIENCE_NANOSECONDS = 50_000_000;
 
     /**
-     * Draws with as many threads as the renderer's settings say. Returns the counts of the finished tiles when all are drawn,
-     * or soon after a cancellation; what a slow thread still draws then is lost. Throws what any of them has thrown, which
-     * also ends the others' work.
+     * Draws with as many threads as the renderer's settings say, at first with fewer than there are processors. Returns the
+     * counts of the finished tiles when all are drawn, or soon after a cancellation; what a slow thread still draws then is
+     * lost. Throws what any of them has thrown, which also ends the others' work.
      */
     RayCounts run(Renderer renderer) {
         HelperThreads threads = new HelperThreads();
         List<Worker> workers = new ArrayList<>();
-        for (int i = 0; i < renderer.settings().threads(); i++) {
-            Worker worker = new Worker(new PixelLight(renderer));
-            workers.add(worker);
-            threads.start("tiles", worker);
-        }
+        int count = renderer.settings().threads();
+        start(isCold() ? Math.min(count, processorsWithoutOne()) : count, renderer, threads, workers);
         while (!threads.await(POLL_NANOSECONDS)) {
             if (cancellation.isRequested()) {
                 threads.await(PATIENCE_NANOSECONDS);
                 break;
+            }
+            if (!isCold()) {
+                start(count, renderer, threads, workers);
             }
         }
         threads.rethrow();
@@ -39,6 +47,23 @@ record TilePass(TileQueue tiles, PixelPainter painter, Cancellation cancellation
             counts = counts.plus(worker.counts);
         }
         return counts;
+    }
+
+    private static boolean isCold() {
+        return System.nanoTime() - FIRST_PASS < COLD_NANOSECONDS;
+    }
+
+    private static int processorsWithoutOne() {
+        return Math.max(1, Runtime.getRuntime().availableProcessors() - 1);
+    }
+
+    /** Starts workers until there are so many. */
+    private void start(int count, Renderer renderer, HelperThreads threads, List<Worker> workers) {
+        while (workers.size() < count) {
+            Worker worker = new Worker(new PixelLight(renderer));
+            workers.add(worker);
+            threads.start("tiles", worker);
+        }
     }
 
     private final class Worker implements Runnable {

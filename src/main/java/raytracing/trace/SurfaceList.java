@@ -37,9 +37,7 @@ public abstract class SurfaceList {
     /** Offers the first crossing of a ray with every surface but the one on which it starts. */
     final void offerCrossings(Ray ray, RayTraversal traversal, Crossings crossings) {
         if (hierarchy.isEmpty()) {
-            if (numbers.length > 0) {
-                offerAll(ray, crossings);
-            }
+            offerAll(ray, crossings);
             return;
         }
         RayOrigin o = ray.origin();
@@ -58,7 +56,7 @@ public abstract class SurfaceList {
      */
     final int addCrossed(Segment segment, RayTraversal traversal, CrossedSurfaces crossed, int last) {
         if (hierarchy.isEmpty()) {
-            return numbers.length > 0 ? addAllCrossed(segment, crossed, last) : last;
+            return addAllCrossed(segment, crossed, last);
         }
         if (last < numbers.length) {
             addCrossed(segment, last, last + 1, crossed, last);
