@@ -49,6 +49,11 @@ class LongMethodsTest {
         Map.entry("SphereObstacles.sort", "once for each light and point, all spheres"),
         Map.entry("PlaneObstacles.sort", "once for each light and point, all planes"),
         Map.entry("BoxObstacles.sort", "once for each light and point, all boxes"),
+        Map.entry("Triangle.firstCrossing", "a ray and a triangle"),
+        Map.entry("Triangle.isCrossed", "a line and a triangle"),
+        Map.entry("TriangleObstacles.look", "once for each light and point near a triangle"),
+        Map.entry("TriangleObstacles.sort", "the same"),
+        Map.entry("Determinant.of", "six products and their errors"),
         Map.entry("BallShadow.set", "once for each exact shadow of a sphere"),
         Map.entry("Conic.area", "an integral"),
         Map.entry("Conic.addArc", "a part of it")));

@@ -38,6 +38,18 @@ public final class Bounds {
         numbers[at + 5] = above(z + half);
     }
 
+    /** Sets box i to one around three points. */
+    public void setAround(int i, double ax, double ay, double az, double bx, double by, double bz,
+                          double cx, double cy, double cz) {
+        int at = STRIDE * i;
+        numbers[at] = below(Math.min(ax, Math.min(bx, cx)));
+        numbers[at + 1] = below(Math.min(ay, Math.min(by, cy)));
+        numbers[at + 2] = below(Math.min(az, Math.min(bz, cz)));
+        numbers[at + 3] = above(Math.max(ax, Math.max(bx, cx)));
+        numbers[at + 4] = above(Math.max(ay, Math.max(by, cy)));
+        numbers[at + 5] = above(Math.max(az, Math.max(bz, cz)));
+    }
+
     /**
      * A float below a sum of two numbers that was rounded to a double. The one next to the nearest float is at least half a
      * step of floats below, far more than the sum's rounding.

@@ -14,6 +14,7 @@ import raytracing.surface.Plane;
 import raytracing.surface.PointError;
 import raytracing.surface.Ray;
 import raytracing.surface.Sphere;
+import raytracing.surface.Triangle;
 import raytracing.trace.PreparedScene;
 
 /**
@@ -51,10 +52,12 @@ public final class OutlineQuery {
 
     private final Sphere[] spheres;
     private final Box[] boxes;
+    private final Triangle[] triangles;
     private final Plane[] planes;
     private final int planeCount;
     private final Optional<Hierarchy> sphereHierarchy;
     private final Optional<Hierarchy> boxHierarchy;
+    private final Optional<Hierarchy> triangleHierarchy;
     private final boolean[] isOpaque;
     private final double leastSteps;
     private final double eyeError;
@@ -65,11 +68,12 @@ public final class OutlineQuery {
     private final PlaneSight planeSight;
     private final SphereSight sphereSight;
     private final BoxSight boxSight;
+    private final TriangleSight triangleSight;
     private final SmallBodies smallBodies;
     private final ConeTraversal traversal = new ConeTraversal();
     private final Sight sight = new Sight();
 
-    /** For each size of squares, the surfaces that the square around may see; numbered planes first, then spheres, boxes. */
+    /** For each size of squares, the surfaces that the square around may see; numbered planes first, then spheres, boxes, triangles. */
     private final int[][] seen = new int[DIVISIONS + 1][];
     private final int[] seenCounts = new int[DIVISIONS + 1];
 
@@ -77,6 +81,7 @@ public final class OutlineQuery {
     private final double[] ends = new double[DIVISIONS + 1];
     private final boolean[] asksForSpheres = new boolean[DIVISIONS + 1];
     private final boolean[] asksForBoxes = new boolean[DIVISIONS + 1];
+    private final boolean[] asksForTriangles = new boolean[DIVISIONS + 1];
 
     /** The surfaces that the present square may see, and how. */
     private final int[] entries;
@@ -94,6 +99,7 @@ public final class OutlineQuery {
     private double end;
     private boolean isOverfullOfSpheres;
     private boolean isOverfullOfBoxes;
+    private boolean isOverfullOfTriangles;
 
     /** Whether the square may show something that is not among the entries. */
     private boolean isOpen;
@@ -121,10 +127,12 @@ public final class OutlineQuery {
         this.leastSteps = leastSteps;
         spheres = prepared.spheres().spheres();
         boxes = prepared.boxes().boxes();
+        triangles = prepared.triangles().triangles();
         planes = prepared.planes().planes();
         planeCount = planes.length;
         sphereHierarchy = prepared.spheres().hierarchy();
         boxHierarchy = prepared.boxes().hierarchy();
+        triangleHierarchy = prepared.triangles().hierarchy();
         isOpaque = new boolean[scene.materials().size()];
         for (int i = 0; i < isOpaque.length; i++) {
             isOpaque[i] = scene.materials().get(i).transparency() == 0;
@@ -137,10 +145,12 @@ public final class OutlineQuery {
         eyeError = PointError.written(eye);
         sphereSight = new SphereSight(cone, TOUCHING * eyeError);
         boxSight = new BoxSight(cone, TOUCHING * eyeError);
+        triangleSight = new TriangleSight(cone, TOUCHING * eyeError);
         Ray ray = new Ray();
         ray.startAt(eye, 0, 0, 1);
         planeSight = new PlaneSight(cone, planes, prepared.planes().numbers(), ray.origin());
-        int most = planeCount + room(spheres.length, sphereHierarchy) + room(boxes.length, boxHierarchy);
+        int most = planeCount + room(spheres.length, sphereHierarchy) + room(boxes.length, boxHierarchy)
+            + room(triangles.length, triangleHierarchy);
         for (int i = 0; i < seen.length; i++) {
             seen[i] = new int[most];
         }
@@ -172,10 +182,14 @@ public final class OutlineQuery {
         for (int i = 0; i < boxes.length && boxHierarchy.isEmpty(); i++) {
             all[n++] = planeCount + spheres.length + i;
         }
+        for (int i = 0; i < triangles.length && triangleHierarchy.isEmpty(); i++) {
+            all[n++] = planeCount + spheres.length + boxes.length + i;
+        }
         seenCounts[0] = n;
         ends[0] = Double.POSITIVE_INFINITY;
         asksForSpheres[0] = sphereHierarchy.isPresent();
         asksForBoxes[0] = boxHierarchy.isPresent();
+        asksForTriangles[0] = triangleHierarchy.isPresent();
     }
 
     /**
@@ -276,6 +290,7 @@ public final class OutlineQuery {
         ends[division] = end;
         asksForSpheres[division] = isOverfullOfSpheres;
         asksForBoxes[division] = isOverfullOfBoxes;
+        asksForTriangles[division] = isOverfullOfTriangles;
     }
 
     /** Finds what a square sees, among the surfaces that the square around may see; returns what the lens shows of it. */
@@ -285,7 +300,7 @@ public final class OutlineQuery {
         if (view != View.BLACK) {
             findSurfaces(division, view);
         }
-        isOpen = view != View.LIT || isOverfullOfSpheres || isOverfullOfBoxes;
+        isOpen = view != View.LIT || isOverfullOfSpheres || isOverfullOfBoxes || isOverfullOfTriangles;
         isCertain = view == View.BLACK || !isOpen && isUniform();
         return view;
     }
@@ -296,6 +311,7 @@ public final class OutlineQuery {
         end = ends[division];
         isOverfullOfSpheres = asksForSpheres[division];
         isOverfullOfBoxes = asksForBoxes[division];
+        isOverfullOfTriangles = asksForTriangles[division];
         int[] candidates = seen[division];
         int candidateCount = seenCounts[division];
         if (view == View.TOO_WIDE) {
@@ -313,6 +329,9 @@ public final class OutlineQuery {
         }
         if (isOverfullOfBoxes) {
             isOverfullOfBoxes = !findBodies(boxHierarchy.get(), planeCount + spheres.length);
+        }
+        if (isOverfullOfTriangles) {
+            isOverfullOfTriangles = !findBodies(triangleHierarchy.get(), planeCount + spheres.length + boxes.length);
         }
         leaveOutHidden(0);
     }
@@ -354,10 +373,14 @@ public final class OutlineQuery {
             Sphere sphere = spheres[entry - planeCount];
             sphereSight.test(sphere, sight);
             material = sphere.material();
-        } else {
+        } else if (entry < planeCount + spheres.length + boxes.length) {
             Box box = boxes[entry - planeCount - spheres.length];
             boxSight.test(box, sight);
             material = box.material();
+        } else {
+            Triangle triangle = triangles[entry - planeCount - spheres.length - boxes.length];
+            triangleSight.test(triangle, sight);
+            material = triangle.material();
         }
         if (sight.cover == Cover.NONE || sight.from > end) {
             return;
@@ -468,9 +491,13 @@ public final class OutlineQuery {
         } else if (entry < planeCount + spheres.length) {
             Sphere sphere = spheres[entry - planeCount];
             lookAtBody(sphere.centre(), sphere.radius(), sphere.radius());
-        } else {
+        } else if (entry < planeCount + spheres.length + boxes.length) {
             Box box = boxes[entry - planeCount - spheres.length];
             lookAtBody(box.centre(), 0.5 * box.edge(), BoxSight.HALF_DIAGONAL * (0.5 * box.edge()));
+        } else {
+            Triangle triangle = triangles[entry - planeCount - spheres.length - boxes.length];
+            lookAtBody(new Vector(triangle.middleX(), triangle.middleY(), triangle.middleZ()), triangle.inradius(),
+                triangle.radius());
         }
     }
 

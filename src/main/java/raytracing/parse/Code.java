@@ -10,6 +10,7 @@ enum Code {
     SPH("centre 3, radius, material", 5),
     PLN("normal 3, offset, material", 5),
     BOX("centre 3, edge, material", 5),
+    TRG("corners 3 + 3 + 3, material", 10),
     LGT("position 3, colour 3, specular intensity, shadow intensity, width", 9),
     UNKNOWN("");
 
@@ -30,6 +31,7 @@ enum Code {
             case 's' << 16 | 'p' << 8 | 'h' -> SPH;
             case 'p' << 16 | 'l' << 8 | 'n' -> PLN;
             case 'b' << 16 | 'o' << 8 | 'x' -> BOX;
+            case 't' << 16 | 'r' << 8 | 'g' -> TRG;
             case 'l' << 16 | 'g' << 8 | 't' -> LGT;
             default -> UNKNOWN;
         };
@@ -41,7 +43,7 @@ enum Code {
     }
 
     boolean isSurface() {
-        return this == SPH || this == PLN || this == BOX;
+        return this == SPH || this == PLN || this == BOX || this == TRG;
     }
 
     boolean allows(int count) {

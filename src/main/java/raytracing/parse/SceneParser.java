@@ -200,7 +200,7 @@ public final class SceneParser {
             case CAM -> readCamera();
             case SET -> readSettings();
             case MTL -> readMaterial();
-            case SPH, PLN, BOX -> readSurface(code);
+            case SPH, PLN, BOX, TRG -> readSurface(code);
             case LGT -> readLight();
             case UNKNOWN -> {
                 unknownLines++;

@@ -86,7 +86,7 @@ final class SceneWarnings {
             warnings.add(lineOfSettings, "warning: set: " + scaleOfNothing(scene.settings().ambientScale()));
         }
         if (scene.surfaces().isEmpty()) {
-            warnings.add(Findings.WHOLE_FILE, "warning: no sph, pln or box: the picture shows nothing but the background");
+            warnings.add(Findings.WHOLE_FILE, "warning: no sph, pln, box or trg: the picture shows nothing but the background");
         } else {
             addUnusedMaterials(warnings, scene);
         }
@@ -149,7 +149,7 @@ final class SceneWarnings {
         return false;
     }
 
-    /** How deep a point is inside a body; a plane has no inside. */
+    /** How deep a point is inside a body; a plane and a triangle have no inside. */
     private static double depth(Surface surface, Vector point) {
         return surface instanceof Body body ? body.depth(point) : Double.NEGATIVE_INFINITY;
     }

@@ -14,11 +14,11 @@ final class UnknownCode {
         new Meaning("sph", "sph", "sphere", "ball"),
         new Meaning("pln", "pln", "plane", "plain"),
         new Meaning("box", "box", "boxes", "cub", "cube"),
+        new Meaning("trg", "trg", "tri", "triangle", "triangles"),
         new Meaning("lgt", "lgt", "light", "lamp"));
 
     /** Things that have no code, and words for them. */
     private static final List<Meaning> NOT_SUPPORTED = List.of(
-        new Meaning("triangles", "trg", "tri", "triangle"),
         new Meaning("cylinders", "cyl", "cylinder"),
         new Meaning("ellipsoids", "elp", "ell", "ellipsoid"),
         new Meaning("cones", "con", "cone"),
@@ -48,9 +48,9 @@ final class UnknownCode {
         String word = letters(code);
         Optional<String> unsupported = meaning(word, NOT_SUPPORTED);
         if (unsupported.isPresent()) {
-            return unsupported.get() + " are not supported, expected sph, pln or box";
+            return unsupported.get() + " are not supported, expected sph, pln, box or trg";
         }
-        return "unknown code" + Hint.aboutCode(code) + ", expected cam, set, mtl, sph, pln, box or lgt"
+        return "unknown code" + Hint.aboutCode(code) + ", expected cam, set, mtl, sph, pln, box, trg or lgt"
             + meaning(word, CODES).map(known -> ", did you mean " + known + "?").orElse("");
     }
 

@@ -10,6 +10,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * The values of a scene file, line by line, each line from left to right. A value that is not allowed is reported as a
@@ -80,8 +81,19 @@ final class Values {
         return switch (code) {
             case SPH -> new Sphere(vector("centre"), number("radius", Range.ABOVE_0), materialIndex());
             case BOX -> new Box(vector("centre"), number("edge", Range.ABOVE_0), materialIndex());
+            case TRG -> triangle();
             default -> new Plane(normal(), number("offset", Range.ANY), materialIndex());
         };
+    }
+
+    private Triangle triangle() {
+        Vector a = vector("first corner");
+        Vector b = vector("second corner");
+        Vector c = vector("third corner");
+        if (problemsFound == 0 && Triangle.areOnALine(a, b, c)) {
+            refuse("corners", "not on one line", shown(a) + ", " + shown(b) + ", " + shown(c));
+        }
+        return Triangle.of(a, b, c, materialIndex());
     }
 
     private Vector normal() {

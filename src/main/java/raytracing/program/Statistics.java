@@ -21,6 +21,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * What a picture took: named groups of named values, as a table or as JSON. Counts are whole numbers, shares go from 0 to 1
@@ -89,6 +90,7 @@ final class Statistics {
         addCount("spheres", kinds.spheres);
         addCount("planes", kinds.planes);
         addCount("boxes", kinds.boxes);
+        addCount("triangles", kinds.triangles);
         addCount("materials", scene.materials().size());
         addCount("lights", scene.lights().size());
         if (!ambientLight.isNone()) {
@@ -104,6 +106,7 @@ final class Statistics {
         private long spheres;
         private long planes;
         private long boxes;
+        private long triangles;
 
         @Override
         public Long visit(Sphere sphere) {
@@ -118,6 +121,11 @@ final class Statistics {
         @Override
         public Long visit(Box box) {
             return ++boxes;
+        }
+
+        @Override
+        public Long visit(Triangle triangle) {
+            return ++triangles;
         }
     }
 

@@ -9,6 +9,7 @@ import raytracing.surface.Hit;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 import raytracing.trace.PreparedScene;
 
 /**
@@ -63,6 +64,7 @@ final class ExactShadows extends SoftShadows {
         }
         query.planes.addShadows(transmittanceOf, shadows);
         query.boxes.addShadows(transmittanceOf, shadows);
+        query.triangles.addShadows(transmittanceOf, shadows);
         query.spheres.addShadows(transmittanceOf, shadows);
         return query.settledTransmittance() * shadows.share();
     }
@@ -91,6 +93,12 @@ final class ExactShadows extends SoftShadows {
         public Boolean visit(Box box) {
             query.boxes.addOwnShadow(box, a, b, c, passing, shadows);
             return true;
+        }
+
+        /** Nor has a triangle. */
+        @Override
+        public Boolean visit(Triangle triangle) {
+            return false;
         }
     }
 }

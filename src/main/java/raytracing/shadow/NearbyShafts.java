@@ -25,6 +25,7 @@ final class NearbyShafts {
     final Entries planes = new Entries();
     final Entries spheres = new Entries();
     final Entries boxes = new Entries();
+    final Entries triangles = new Entries();
     private int light = NO_LIGHT;
     private int surface;
     private double pointError;
@@ -96,7 +97,7 @@ final class NearbyShafts {
 
     /**
      * Whether the surfaces that are not certainly beside all shafts are known. If not, they are to be asked for by
-     * {@link #isBeside} and added to {@link #planes}, {@link #spheres} and {@link #boxes} now.
+     * {@link #isBeside} and added to {@link #planes}, {@link #spheres}, {@link #boxes} and {@link #triangles} now.
      */
     boolean areKnown() {
         if (isKnown) {
@@ -106,6 +107,7 @@ final class NearbyShafts {
         planes.clear();
         spheres.clear();
         boxes.clear();
+        triangles.clear();
         wx = (lightX - x) / depth;
         wy = (lightY - y) / depth;
         wz = (lightZ - z) / depth;
@@ -117,7 +119,7 @@ final class NearbyShafts {
 
     /** Whether all surfaces but that of the points are beside all shafts. */
     boolean areClear() {
-        return planes.count + spheres.count + boxes.count == 0;
+        return planes.count + spheres.count + boxes.count + triangles.count == 0;
     }
 
     /** Whether the whole square is certainly above the horizon of a hit. */

@@ -77,6 +77,7 @@ final class ShaftQuery {
     final SphereObstacles spheres;
     final PlaneObstacles planes;
     final BoxObstacles boxes;
+    final TriangleObstacles triangles;
     private final PreparedScene scene;
     private final Use use;
     private final boolean usesShafts;
@@ -112,7 +113,8 @@ final class ShaftQuery {
         spheres = new SphereObstacles(shaft, scene);
         planes = new PlaneObstacles(shaft, scene);
         boxes = new BoxObstacles(shaft, scene);
-        kinds = new Obstacles<?>[] {planes, spheres, boxes};
+        triangles = new TriangleObstacles(shaft, scene);
+        kinds = new Obstacles<?>[] {planes, spheres, boxes, triangles};
         certain = new CrossedSurfaces(scene.transmittances());
         transmittanceOf = scene.transmittances();
         segmentQuery = new SegmentQuery(scene, lightCount);
@@ -184,6 +186,7 @@ final class ShaftQuery {
             planes.sort(nearby[place].planes, certain);
             spheres.sort(nearby[place].spheres, certain);
             boxes.sort(nearby[place].boxes, certain);
+            triangles.sort(nearby[place].triangles, certain);
             isSorted = true;
         } else {
             sortAll();
@@ -196,6 +199,7 @@ final class ShaftQuery {
             planes.find(shafts, surfaceLeft, shafts.planes);
             spheres.find(shafts, surfaceLeft, shafts.spheres);
             boxes.find(shafts, surfaceLeft, shafts.boxes);
+            triangles.find(shafts, surfaceLeft, shafts.triangles);
         }
     }
 
@@ -206,6 +210,7 @@ final class ShaftQuery {
         planes.count = 0;
         spheres.count = 0;
         boxes.count = 0;
+        triangles.count = 0;
         settledTransmittance = 1;
     }
 
@@ -215,8 +220,9 @@ final class ShaftQuery {
             planes.sort(use.mostObstacles, traversal, certain);
             spheres.sort(use.mostObstacles, traversal, certain);
             boxes.sort(use.mostObstacles - spheres.count, traversal, certain);
+            triangles.sort(use.mostObstacles - spheres.count - boxes.count, traversal, certain);
             wasDark[light] = certain.isDark();
-            isSorted = certain.isDark() || spheres.count + boxes.count <= use.mostObstacles;
+            isSorted = certain.isDark() || spheres.count + boxes.count + triangles.count <= use.mostObstacles;
         }
     }
 
@@ -228,7 +234,7 @@ final class ShaftQuery {
     /** Whether all lines cross the same surfaces, or all of them an opaque one. */
     boolean isSettled() {
         return certain.isDark()
-            || isSorted && !ownBodyIsObstacle && spheres.count + planes.count + boxes.count == 0;
+            || isSorted && !ownBodyIsObstacle && spheres.count + planes.count + boxes.count + triangles.count == 0;
     }
 
     /** What comes through along any line of a settled shaft, in [0, 1]. */

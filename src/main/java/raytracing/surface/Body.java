@@ -1,18 +1,14 @@
 package raytracing.surface;
 
-import raytracing.hierarchy.Bounds;
 import raytracing.math.Vector;
 
 /** A surface that bounds a convex body. */
-public sealed interface Body extends Surface permits Sphere, Box {
+public sealed interface Body extends Bounded permits Sphere, Box {
     /** How many numbers tell where a body is and how large. */
     int PACKED = 4;
 
     /** Writes the coordinates of its middle and its size, {@link #PACKED} numbers in all, from an index on. */
     void pack(double[] numbers, int at);
-
-    /** Sets the i-th bounds to those of this body. */
-    void bound(Bounds bounds, int i);
 
     /**
      * Distance to the far wall, by doubles alone, for a ray that starts on the wall and goes inwards.

@@ -50,9 +50,14 @@ record ExactPlane(DyadicVector normal, Dyadic offset) {
         return -gap(point, error).signum();
     }
 
-    /** offset - P . normal, or 0 if P is on the plane within its error. */
+    /** offset - P . normal: above 0 on the side where the normal does not point. */
+    Dyadic gap(DyadicVector point) {
+        return offset.minus(normal.dot(point));
+    }
+
+    /** The same, or 0 if P is on the plane within its error. */
     private Dyadic gap(Vector point, double error) {
-        Dyadic gap = offset.minus(normal.dot(DyadicVector.of(point)));
+        Dyadic gap = gap(DyadicVector.of(point));
         return gap.abs().compareTo(Dyadic.of(error).times(normal.sumOfSizes())) <= 0 ? Dyadic.ZERO : gap;
     }
 }

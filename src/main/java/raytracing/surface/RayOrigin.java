@@ -151,7 +151,7 @@ public final class RayOrigin {
     }
 
     /** Where it was seen from: the start of the ray that reached it, or the point itself. */
-    Vector seenFrom() {
+    public Vector seenFrom() {
         return new Vector(seenFromX, seenFromY, seenFromZ);
     }
 

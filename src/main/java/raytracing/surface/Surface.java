@@ -10,7 +10,7 @@ import raytracing.math.Surd;
  * this surface take it. Decisions are those of the real numbers: doubles make them where a bound on their error, known
  * beforehand, lets them, and exact numbers elsewhere.
  */
-public sealed interface Surface permits Body, Plane {
+public sealed interface Surface permits Bounded, Plane {
     /** "No crossing": beyond every distance, so that comparing distances needs no special case. */
     double MISS = Double.POSITIVE_INFINITY;
 
@@ -26,7 +26,7 @@ public sealed interface Surface permits Body, Plane {
      * @param ray not starting on this surface by its number
      * @param latest crossings certainly beyond this distance may be reported as {@link #MISS}
      * @return smallest t above 0 in multiples of the ray's direction, with an error of at most 16 units in the last place
-     *         (sphere: measured; plane and box: proved); {@link #MISS}; or {@link #UNDECIDED}, also if the origin's error
+     *         (sphere: measured; plane, box and triangle: proved); {@link #MISS}; or {@link #UNDECIDED}, also if the origin's error
      *         leaves open on which side of the surface the ray starts
      */
     double firstCrossing(Ray ray, double latest);
@@ -45,7 +45,7 @@ public sealed interface Surface permits Body, Plane {
     /**
      * On which side of this surface a point lies, decided exactly.
      *
-     * @return 1 outside a body or where a plane's normal points, -1 inside or on the plane's other side; 0 if the point
+     * @return 1 outside a body or where the normal of a plane or triangle points, -1 inside or on the other side; 0 if the point
      *         is on the surface within its error, and nothing tells from which side it was seen
      */
     int side(RayOrigin point, int number);
@@ -72,6 +72,8 @@ public sealed interface Surface permits Body, Plane {
         R visit(Plane plane);
 
         R visit(Box box);
+
+        R visit(Triangle triangle);
     }
 
     /**

@@ -11,6 +11,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * Brings scenes of huge or tiny lengths to ordinary ones, where doubles decide queries: squares stay in their range. Only
@@ -87,6 +88,11 @@ public final class OrdinaryLengths {
         public Boolean visit(Box box) {
             return isOrdinary(box.centre().largestPart()) && isOrdinary(box.edge());
         }
+
+        @Override
+        public Boolean visit(Triangle triangle) {
+            return isOrdinary(triangle.largestPart()) && isOrdinary(triangle.extent());
+        }
     }
 
     /** The exponents of a scene's lengths but 0. */
@@ -134,6 +140,11 @@ public final class OrdinaryLengths {
         @Override
         public Boolean visit(Box box) {
             return add(box.centre().largestPart()) && add(box.edge());
+        }
+
+        @Override
+        public Boolean visit(Triangle triangle) {
+            return add(triangle.largestPart()) && add(triangle.extent());
         }
 
         /** That of the length in the middle: as many are larger as are smaller; 0 if all are ordinary. */
@@ -186,6 +197,12 @@ public final class OrdinaryLengths {
         @Override
         public Surface visit(Box box) {
             return new Box(scaled(box.centre(), exponent), scaled(box.edge(), exponent), box.material());
+        }
+
+        @Override
+        public Surface visit(Triangle triangle) {
+            return Triangle.of(scaled(triangle.a(), exponent), scaled(triangle.b(), exponent), scaled(triangle.c(), exponent),
+                triangle.material());
         }
 
         private Vector scaled(Vector vector, int down) {

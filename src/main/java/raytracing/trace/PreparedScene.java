@@ -10,6 +10,7 @@ import raytracing.parallel.ForkJoin;
 import raytracing.scene.Material;
 import raytracing.scene.Scene;
 import raytracing.surface.Body;
+import raytracing.surface.Bounded;
 import raytracing.surface.Box;
 import raytracing.surface.Departure;
 import raytracing.surface.Hit;
@@ -17,6 +18,7 @@ import raytracing.surface.Plane;
 import raytracing.surface.Segment;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * The surfaces of a scene made ready for queries: what does a ray meet next ({@link RayQuery}), and how much light comes
@@ -35,6 +37,7 @@ public final class PreparedScene {
     private final PlaneList planes;
     private final SphereList spheres;
     private final BoxList boxes;
+    private final TriangleList triangles;
     private final SurfaceList[] lists;
     private final boolean hasHierarchy;
     private final double[] transmittances;
@@ -53,10 +56,11 @@ public final class PreparedScene {
         Kinds kinds = Kinds.of(surfaces, 0, surfaces.length, workers);
         int[] sphereNumbers = kinds.spheres.toArray();
         int[] boxNumbers = kinds.boxes.toArray();
-        workers.expect((needsHierarchy(sphereNumbers) ? sphereNumbers.length : 0)
-            + (needsHierarchy(boxNumbers) ? boxNumbers.length : 0));
+        int[] triangleNumbers = kinds.triangles.toArray();
+        workers.expect(countInHierarchy(sphereNumbers) + countInHierarchy(boxNumbers) + countInHierarchy(triangleNumbers));
         Optional<Hierarchy> overSpheres = arrange(sphereNumbers, workers);
         Optional<Hierarchy> overBoxes = arrange(boxNumbers, workers);
+        Optional<Hierarchy> overTriangles = arrange(triangleNumbers, workers);
         int[] planeNumbers = kinds.planes.toArray();
         Plane[] allPlanes = new Plane[planeNumbers.length];
         for (int i = 0; i < allPlanes.length; i++) {
@@ -69,8 +73,9 @@ public final class PreparedScene {
         planes = new PlaneList(allPlanes, planeNumbers, group(allPlanes, planeNumbers));
         spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
         boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
-        lists = new SurfaceList[] {planes, spheres, boxes};
-        hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent();
+        triangles = new TriangleList(listTriangles(triangleNumbers, workers), triangleNumbers, overTriangles);
+        lists = new SurfaceList[] {planes, spheres, boxes, triangles};
+        hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent() || overTriangles.isPresent();
         checkThatAllAreListed();
         transmittances = new double[surfaces.length];
         if (shadowMode == ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT) {
@@ -103,6 +108,10 @@ public final class PreparedScene {
         }
     }
 
+    private long countInHierarchy(int[] numbers) {
+        return needsHierarchy(numbers) ? numbers.length : 0;
+    }
+
     private boolean needsHierarchy(int[] numbers) {
         return numbers.length >= FEWEST_IN_A_HIERARCHY && shortcuts.contains(Shortcut.HIERARCHY);
     }
@@ -123,7 +132,7 @@ public final class PreparedScene {
             @Override
             public void run(int from, int to) {
                 for (int i = from; i < to; i++) {
-                    ((Body) surfaces[numbers[i]]).bound(bounds, i);
+                    ((Bounded) surfaces[numbers[i]]).bound(bounds, i);
                 }
             }
         });
@@ -157,6 +166,19 @@ public final class PreparedScene {
         return packed;
     }
 
+    private Triangle[] listTriangles(int[] numbers, ForkJoin workers) {
+        Triangle[] list = new Triangle[numbers.length];
+        workers.runRanges(numbers.length, new ForkJoin.Range() {
+            @Override
+            public void run(int from, int to) {
+                for (int i = from; i < to; i++) {
+                    list[i] = (Triangle) surfaces[numbers[i]];
+                }
+            }
+        });
+        return list;
+    }
+
     /** Numbers of surfaces, one after the other. */
     private static final class Numbers {
         private int[] numbers = new int[16];
@@ -188,6 +210,7 @@ public final class PreparedScene {
         private final Numbers spheres = new Numbers();
         private final Numbers planes = new Numbers();
         private final Numbers boxes = new Numbers();
+        private final Numbers triangles = new Numbers();
         private int number;
 
         /** Those of the surfaces with numbers from {@code from} to before {@code to}. */
@@ -215,6 +238,7 @@ public final class PreparedScene {
             spheres.addAll(others.spheres);
             planes.addAll(others.planes);
             boxes.addAll(others.boxes);
+            triangles.addAll(others.triangles);
         }
 
         @Override
@@ -230,6 +254,11 @@ public final class PreparedScene {
         @Override
         public Boolean visit(Box box) {
             return boxes.add(number);
+        }
+
+        @Override
+        public Boolean visit(Triangle triangle) {
+            return triangles.add(number);
         }
     }
 
@@ -261,6 +290,10 @@ public final class PreparedScene {
 
     public BoxList boxes() {
         return boxes;
+    }
+
+    public TriangleList triangles() {
+        return triangles;
     }
 
     /** Whether there are so many surfaces of a kind that a hierarchy finds them. */

@@ -16,6 +16,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /** Random scenes whose outlines are hard to find, each with a camera in the middle of things. */
 final class RandomViews {
@@ -102,6 +103,12 @@ final class RandomViews {
             @Override
             public Surface visit(Box box) {
                 return new Box(plus(box.centre(), away, 1).times(scale), scale * box.edge(), box.material());
+            }
+
+            @Override
+            public Surface visit(Triangle triangle) {
+                return Triangle.of(plus(triangle.a(), away, 1).times(scale), plus(triangle.b(), away, 1).times(scale),
+                    plus(triangle.c(), away, 1).times(scale), triangle.material());
             }
         });
     }

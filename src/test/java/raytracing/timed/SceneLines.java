@@ -12,6 +12,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /** The text of a scene, from which the parser makes the same scene again, to the last bit. */
 public final class SceneLines {
@@ -72,6 +73,12 @@ public final class SceneLines {
         @Override
         public Boolean visit(Box box) {
             line("box").with(box.centre()).with(box.edge()).withMaterial(box);
+            return true;
+        }
+
+        @Override
+        public Boolean visit(Triangle triangle) {
+            line("trg").with(triangle.a()).with(triangle.b()).with(triangle.c()).withMaterial(triangle);
             return true;
         }
     }

@@ -11,6 +11,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * A scene in POV-Ray's scene description language: as much work, and nearly the same picture. What POV-Ray cannot
@@ -108,6 +109,13 @@ public final class ToPovRay {
         public Boolean visit(Box box) {
             Vector half = new Vector(box.edge(), box.edge(), box.edge()).times(0.5);
             line("box { " + triple(box.centre().minus(half)) + ", " + triple(Vectors.plus(box.centre(), half)) + texture(box));
+            return true;
+        }
+
+        @Override
+        public Boolean visit(Triangle triangle) {
+            line("triangle { " + triple(triangle.a()) + ", " + triple(triangle.b()) + ", " + triple(triangle.c())
+                + texture(triangle));
             return true;
         }
     }

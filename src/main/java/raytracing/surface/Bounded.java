@@ -1,0 +1,9 @@
+package raytracing.surface;
+
+import raytracing.hierarchy.Bounds;
+
+/** A surface that ends somewhere, so that a box holds all of it. */
+public sealed interface Bounded extends Surface permits Body, Triangle {
+    /** Sets the i-th bounds to those of this surface. */
+    void bound(Bounds bounds, int i);
+}
