@@ -160,7 +160,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         double error = (VOLUME_ERROR * m + MOVED * o.error) * m * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
         double least = Math.min(ab, Math.min(bc, ca));
         double most = Math.max(ab, Math.max(bc, ca));
-        if (!(error > SMALL && error < LARGE && m * m > SMALL)) {
+        if (!(isInRange(error) && isInRange(m * m))) {
             return UNDECIDED;
         }
         if (least < -error && most > error) {
@@ -171,7 +171,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         }
         double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
         double gapError = gapError(m, o.error);
-        if (!(Math.abs(gap) > gapError)) {
+        if (!(isInRange(gapError) && Math.abs(gap) > gapError)) {
             return UNDECIDED;
         }
         double approach = ab + bc + ca;
@@ -182,6 +182,10 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
             return MISS;
         }
         return compensatedCrossing(ray);
+    }
+
+    private static boolean isInRange(double size) {
+        return size > SMALL && size < LARGE;
     }
 
     private static double gapError(double m, double originError) {
@@ -248,7 +252,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         double error = (VOLUME_ERROR * m + MOVED * o.error) * m * s;
         double least = Math.min(ab, Math.min(bc, ca));
         double most = Math.max(ab, Math.max(bc, ca));
-        if (!(error > SMALL && error < LARGE && m * m > SMALL)) {
+        if (!(isInRange(error) && isInRange(m * m))) {
             return ExactTriangle.of(this).isCrossed(segment, number);
         }
         if (least < -error && most > error) {
@@ -258,7 +262,8 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         double gapError = gapError(m, o.error);
         double endGap = gap - (ab + bc + ca);
         double endGapError = gapError + 4 * error + MOVED_GAP * segment.endError * (m + s) * (m + s);
-        boolean isClear = (least > error || most < -error) && Math.abs(gap) > gapError && Math.abs(endGap) > endGapError;
+        boolean isClear = isInRange(gapError) && (least > error || most < -error) && Math.abs(gap) > gapError
+            && Math.abs(endGap) > endGapError;
         return isClear ? gap > 0 != endGap > 0 : ExactTriangle.of(this).isCrossed(segment, number);
     }
 

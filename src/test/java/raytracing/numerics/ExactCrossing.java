@@ -7,6 +7,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * The first crossing of a ray with a surface, as the real number that it is: (p + s sqrt(D)) / q. So any two are
@@ -22,6 +23,9 @@ record ExactCrossing(ExactNumber p, int s, ExactNumber square, ExactNumber q) im
     static Optional<ExactCrossing> first(Surface surface, Vector origin, Vector direction) {
         if (surface instanceof Plane plane) {
             return ofPlane(plane, origin, direction);
+        }
+        if (surface instanceof Triangle triangle) {
+            return ExactTriangle.of(triangle).firstCrossing(origin, direction);
         }
         return surface instanceof Sphere sphere ? ofSphere(sphere, origin, direction)
             : ofBox((Box) surface, origin, direction);
@@ -45,12 +49,18 @@ record ExactCrossing(ExactNumber p, int s, ExactNumber square, ExactNumber q) im
         return approach.signum() == 0 ? Optional.empty() : rational(gap(plane, origin), approach).ifAboveZero();
     }
 
-    private static ExactCrossing rational(ExactNumber numerator, ExactNumber denominator) {
+    /** A double, unchanged. */
+    static ExactCrossing of(double t) {
+        return rational(ExactNumber.of(t), ExactNumber.of(1));
+    }
+
+    /** The quotient of two numbers, the second of which is not 0. */
+    static ExactCrossing rational(ExactNumber numerator, ExactNumber denominator) {
         return denominator.signum() > 0 ? new ExactCrossing(numerator, 0, ExactNumber.ZERO, denominator)
             : new ExactCrossing(numerator.negated(), 0, ExactNumber.ZERO, denominator.negated());
     }
 
-    private Optional<ExactCrossing> ifAboveZero() {
+    Optional<ExactCrossing> ifAboveZero() {
         return Optional.of(this).filter(crossing -> crossing.signum() > 0);
     }
 

@@ -69,6 +69,21 @@ record ExactNumber(BigInteger significand, int exponent) implements Comparable<E
         return signum() == other.signum() ? minus(other).signum() : Integer.compare(signum(), other.signum());
     }
 
+    /** The quotient by a number that is not 0, off by less than 2^-50 of it; 0 or infinite beyond the range of doubles. */
+    double over(ExactNumber divisor) {
+        return Math.scalb(leading() / divisor.leading(), last() - divisor.last());
+    }
+
+    /** The leading bits as a number below 2^62, cut off. */
+    private double leading() {
+        return significand.shiftRight(last() - exponent).longValueExact();
+    }
+
+    /** The exponent of the last of these bits. */
+    private int last() {
+        return exponent + Math.max(0, significand.bitLength() - 62);
+    }
+
     BigDecimal toDecimal() {
         BigDecimal whole = new BigDecimal(significand);
         BigDecimal power = new BigDecimal(BigInteger.TWO.pow(Math.abs(exponent)));
