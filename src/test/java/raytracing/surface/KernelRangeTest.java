@@ -45,6 +45,17 @@ class KernelRangeTest {
             Surface surface(Vector vector, double scalar) {
                 return new Box(vector, Math.abs(scalar), 0);
             }
+        },
+
+        /** One corner is at the vector; two edges are of the scalar's size, if it is not too small beside the vector. */
+        TRIANGLE(4) {
+            @Override
+            Surface surface(Vector vector, double scalar) {
+                Vector next = finite(Vectors.plus(vector, scalar, new Vector(1, 0.25, -0.5)));
+                Vector last = finite(Vectors.plus(vector, scalar, new Vector(-0.75, 1, 0.125)));
+                return !Triangle.areOnALine(vector, next, last) ? Triangle.of(vector, next, last, 0)
+                    : Triangle.of(new Vector(scalar, 0, 0), new Vector(0, scalar, 0), new Vector(0, 0, scalar), 0);
+            }
         };
 
         private final int mostUlps;
@@ -54,6 +65,14 @@ class KernelRangeTest {
         }
 
         abstract Surface surface(Vector vector, double scalar);
+
+        private static Vector finite(Vector v) {
+            return new Vector(finite(v.x()), finite(v.y()), finite(v.z()));
+        }
+
+        private static double finite(double number) {
+            return Math.max(-Double.MAX_VALUE, Math.min(Double.MAX_VALUE, number));
+        }
     }
 
     /** A ray from o along d, a line from o to q, how far off both ends may be, and a surface. */
@@ -189,13 +208,13 @@ class KernelRangeTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"SPHERE", "BOX"})
+    @EnumSource(names = {"SPHERE", "BOX", "TRIANGLE"})
     void plainMissesInTheWholeRange(Shape shape) {
         assertPlainMisses(shape, 55, KernelRangeTest::anywhere);
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"SPHERE", "BOX"})
+    @EnumSource(names = {"SPHERE", "BOX", "TRIANGLE"})
     void plainMissesOfRaysFromVaguePoints(Shape shape) {
         assertPlainMisses(shape, 56, KernelRangeTest::vague);
     }
@@ -245,6 +264,9 @@ class KernelRangeTest {
         if (surface instanceof Plane plane) {
             ExactPlane exact = ExactPlane.of(plane);
             return exact.side(segment.start(), NUMBER) * exact.side(segment.end(), segment.endError) < 0;
+        }
+        if (surface instanceof Triangle triangle) {
+            return ExactTriangle.of(triangle).isCrossed(segment, NUMBER);
         }
         return surface instanceof Sphere sphere ? ExactSphere.of(sphere).isCrossed(segment, NUMBER)
             : ExactBox.of((Box) surface).isCrossed(segment, NUMBER);

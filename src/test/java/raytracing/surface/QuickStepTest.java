@@ -29,6 +29,15 @@ class QuickStepTest {
     private static final RayOrigin START = new RayOrigin();
     private static final Plane PLANE = new Plane(new Vector(1, 1, 1), 0, 0);
 
+    /** In that plane, so large that all lines through it near the middle meet it, and so small that none does. */
+    private static final Triangle LARGE = triangle(40);
+    private static final Triangle SMALL = triangle(0x1p-10);
+
+    private static Triangle triangle(double size) {
+        return Triangle.of(new Vector(2, -1, -1).times(size), new Vector(-1, 2, -1).times(size),
+            new Vector(-1, -1, 2).times(size), 0);
+    }
+
     private enum Shape {
         SPHERE(new Sphere(Vector.ZERO, 1, 0)),
         BOX(new Box(Vector.ZERO, 2, 0));
@@ -209,5 +218,27 @@ class QuickStepTest {
     @EnumSource
     void aPointOutsideAndOneInside(Shape body) {
         assertMadeOfDoubles(lines(45, 2, 9, 0.1, 0.6), (p, q) -> body.isOutside(p) && !body.isOutside(q));
+    }
+
+    private static Stream<Vector[]> raysBetween(Stream<Vector[]> pairs) {
+        return pairs.map(pair -> new Vector[] {pair[0], pair[1].minus(pair[0])});
+    }
+
+    @Test
+    void aRayToATriangleAndOneAwayFromIt() {
+        assertMadeOfDoubles(raysBetween(pairsBesidePlane(46, -1)), (p, d) -> firstCrossing(LARGE, p, d) < 1);
+        assertMadeOfDoubles(pairsBesidePlane(47, 1), (p, d) -> firstCrossing(LARGE, p, d) == Surface.MISS);
+    }
+
+    @Test
+    void aLineThroughATriangleAndOneBesideIt() {
+        assertMadeOfDoubles(pairsBesidePlane(48, -1), (p, q) -> isCrossed(LARGE, p, q));
+        assertMadeOfDoubles(pairsBesidePlane(49, 1), (p, q) -> !isCrossed(LARGE, p, q));
+    }
+
+    @Test
+    void aRayAndALineThatPassATriangle() {
+        assertMadeOfDoubles(passing(50), (p, d) -> firstCrossing(SMALL, p, d) == Surface.MISS);
+        assertMadeOfDoubles(passing(50), (p, d) -> !isCrossed(SMALL, p, d));
     }
 }

@@ -20,7 +20,9 @@ class SegmentTest {
     static List<Surface> surfaces() {
         return List.of(new Sphere(new Vector(0.1, -0.2, 0.3), 0.7, 0), new Sphere(new Vector(1e6, 0, 0), 1e6, 0),
             new Box(new Vector(0.1, -0.2, 0.3), 1.4, 0), new Box(new Vector(0, -1e6, 0), 2e6, 0),
-            new Plane(new Vector(1, 2, 3), 0.3, 0), new Plane(new Vector(0, -0.1, 0), 0.07, 0));
+            new Plane(new Vector(1, 2, 3), 0.3, 0), new Plane(new Vector(0, -0.1, 0), 0.07, 0),
+            Triangle.of(new Vector(-1, -1, 0.3), new Vector(1.5, -0.7, -0.2), new Vector(0, 1.5, 0.5), 0),
+            Triangle.of(new Vector(-1e6, 0.1, -1e6), new Vector(1e6, 0.2, -1e6), new Vector(0.3, -0.3, 1e6), 0));
     }
 
     private static boolean crosses(Surface surface, Vector p, double pError, Vector q, double qError) {
