@@ -15,4 +15,9 @@ record DoubleDoubleVector(DoubleDouble x, DoubleDouble y, DoubleDouble z) {
     DoubleDouble dot(DoubleDoubleVector other) {
         return x.times(other.x).plus(y.times(other.y)).plus(z.times(other.z));
     }
+
+    DoubleDoubleVector cross(DoubleDoubleVector other) {
+        return new DoubleDoubleVector(y.times(other.z).minus(z.times(other.y)), z.times(other.x).minus(x.times(other.z)),
+            x.times(other.y).minus(y.times(other.x)));
+    }
 }

@@ -19,6 +19,7 @@ import raytracing.surface.Plane;
 import raytracing.surface.RayRecord;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 import raytracing.trace.PreparedScene;
 import raytracing.trace.Queries;
 import raytracing.trace.RayQuery;
@@ -85,6 +86,10 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
     }
 
     private double rounded(String algorithm, Surface surface) {
+        if (surface instanceof Triangle triangle) {
+            return TriangleWitnesses.firstCrossing(algorithm,
+                new TriangleQuery(origin, direction, triangle.a(), triangle.b(), triangle.c()));
+        }
         Shape shape = surface instanceof Plane ? Shape.PLANE : surface instanceof Sphere ? Shape.SPHERE : Shape.BOX;
         return shape.algorithm(algorithm).formula().firstCrossing(query(surface));
     }
@@ -107,6 +112,9 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
     private static Surface withMaterial(Surface surface, int material) {
         if (surface instanceof Plane plane) {
             return new Plane(plane.normal(), plane.offset(), material);
+        }
+        if (surface instanceof Triangle triangle) {
+            return Triangle.of(triangle.a(), triangle.b(), triangle.c(), material);
         }
         return surface instanceof Sphere sphere ? new Sphere(sphere.centre(), sphere.radius(), material)
             : new Box(((Box) surface).centre(), ((Box) surface).edge(), material);
@@ -139,6 +147,9 @@ public record Encounter(Vector origin, Vector direction, List<Surface> surfaces)
     private static String line(Surface surface) {
         if (surface instanceof Plane plane) {
             return "pln " + numbers(plane.normal()) + " " + plane.offset() + " 1";
+        }
+        if (surface instanceof Triangle triangle) {
+            return "trg " + numbers(triangle.a()) + " " + numbers(triangle.b()) + " " + numbers(triangle.c()) + " 1";
         }
         return surface instanceof Sphere sphere ? "sph " + numbers(sphere.centre()) + " " + sphere.radius() + " 1"
             : "box " + numbers(((Box) surface).centre()) + " " + ((Box) surface).edge() + " 1";

@@ -25,7 +25,11 @@ public enum JointFamily implements EncounterFamily {
     ANY("any surfaces", random -> through(random, 0, touching -> any(touching, 4))),
     ANY_BUT_FOR_ULPS("any surfaces but for ulps", random -> through(random, 3, touching -> any(touching, 4))),
     ROOM_OF_PLANES("a room of planes", JointFamily::roomOfPlanes),
-    RING_OF_CUBES("a ring of cubes", JointFamily::ringOfCubes);
+    RING_OF_CUBES("a ring of cubes", JointFamily::ringOfCubes),
+    TRIANGLES("triangles", random -> through(random, 0, touching -> triangles(touching, 4))),
+    TRIANGLE_AND_ANY("triangles and any surfaces",
+        random -> through(random, 0, t -> List.of(t.triangle(), t.any(), t.triangle(), t.any()))),
+    FAN("triangles around a corner", random -> through(random, 0, JointFamily::fan));
 
     private static final List<Double> SIZES = List.of(1.0, 0.1, 1.0 / 3, 1e-9, 1e12);
 
@@ -62,6 +66,21 @@ public enum JointFamily implements EncounterFamily {
 
     private static List<Surface> planes(Touching touching, int count) {
         return Stream.generate(touching::plane).limit(count).map(Surface.class::cast).toList();
+    }
+
+    private static List<Surface> triangles(Touching touching, int most) {
+        return Stream.generate(touching::triangle).limit(touching.random().random().nextInt(2, most + 1))
+            .map(Surface.class::cast).toList();
+    }
+
+    /** Their corner is the point; each shares an edge with the next. */
+    private static List<Surface> fan(Touching touching) {
+        RandomNumbers random = touching.random();
+        List<Vector> ring = Stream.generate(() -> Vectors.plus(touching.point(), random.wholes(9).times(0.25)))
+            .limit(random.random().nextInt(3, 6)).toList();
+        return IntStream.range(0, ring.size()).mapToObj(i -> new TriangleQuery(touching.point(), touching.direction(),
+            touching.point(), ring.get(i), ring.get((i + 1) % ring.size())).renamed(random.random().nextInt(6)))
+            .filter(TriangleQuery::isValid).map(TriangleQuery::triangle).map(Surface.class::cast).toList();
     }
 
     private static List<Surface> any(Touching touching, int most) {

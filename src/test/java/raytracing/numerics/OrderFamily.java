@@ -1,6 +1,7 @@
 package raytracing.numerics;
 
 import java.math.BigDecimal;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -12,6 +13,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /** Rays that meet surfaces in an order which is hard to tell. */
 public enum OrderFamily implements EncounterFamily {
@@ -28,7 +30,13 @@ public enum OrderFamily implements EncounterFamily {
     COMMON_CIRCLE("spheres with a common circle", OrderFamily::commonCircle),
     HAIR_APART("10^-30 apart: a plane beside any surface", OrderFamily::hairApart),
     SIDEWAYS("10^-30 apart: a sphere moved sideways", OrderFamily::sideways),
-    CROWD("sixty bodies through a point of the ray", OrderFamily::crowd);
+    CROWD("sixty bodies through a point of the ray", OrderFamily::crowd),
+    TRIANGLES("triangles through a point of the ray", random -> through(random, 0, Touching::triangle)),
+    TRIANGLES_BUT_FOR_AN_ULP("the same but for an ulp", random -> through(random, 1, Touching::triangle)),
+    ANY_AND_TRIANGLES("triangles and any surfaces through a point of the ray",
+        random -> through(random, random.oneIn(2) ? 0 : 1, Touching::anyOrTriangle)),
+    TRIANGLES_IN_FACE("triangles in a plane and in the face of a box", OrderFamily::trianglesInFace),
+    MESH("triangles around a corner in a plane", OrderFamily::mesh);
 
     private final String title;
     private final Function<RandomNumbers, Encounter> recipe;
@@ -82,6 +90,48 @@ public enum OrderFamily implements EncounterFamily {
         Vector direction = target.minus(line.origin());
         List<Surface> surfaces = random.oneIn(2) ? List.of(plane, solid) : List.of(solid, plane);
         return new Encounter(line.origin(), direction.isZero() ? line.direction() : direction, surfaces);
+    }
+
+    private static Triangle halfOfTheFace(RandomNumbers random, Box box, int axis, double face) {
+        double half = box.edge() / 2;
+        Vector sideways = Axes.withPart(new Vector(random.sign(), random.sign(), random.sign()).times(half), axis, 0);
+        Vector a = Axes.withPart(Vectors.plus(box.centre(), sideways), axis, face);
+        Vector b = Axes.withPart(a, (axis + 1) % 3, 2 * Axes.part(box.centre(), (axis + 1) % 3) - Axes.part(a, (axis + 1) % 3));
+        Vector c = Axes.withPart(a, (axis + 2) % 3, 2 * Axes.part(box.centre(), (axis + 2) % 3) - Axes.part(a, (axis + 2) % 3));
+        Triangle triangle = new TriangleQuery(a, a, a, b, c).renamed(random.random().nextInt(6)).triangle();
+        return random.oneIn(4) ? (Triangle) new Touching(random, a, a).besideByUlps(triangle, 1) : triangle;
+    }
+
+    /** Halves of a box's face, in front of it by their place in the scene or behind it; seen at about the box's middle. */
+    private static Encounter trianglesInFace(RandomNumbers random) {
+        Encounter planeAndBox = planeInFace(random);
+        Box box = (Box) planeAndBox.surfaces().stream().filter(Box.class::isInstance).findFirst().orElseThrow();
+        Plane plane = (Plane) planeAndBox.surfaces().stream().filter(Plane.class::isInstance).findFirst().orElseThrow();
+        int axis = plane.normal().x() != 0 ? 0 : plane.normal().y() != 0 ? 1 : 2;
+        double face = plane.offset() / Axes.part(plane.normal(), axis);
+        List<Surface> surfaces = new ArrayList<>(Stream.generate(() -> halfOfTheFace(random, box, axis, face))
+            .limit(among(random)).toList());
+        surfaces.add(random.random().nextInt(surfaces.size() + 1), box);
+        surfaces.add(random.random().nextInt(surfaces.size() + 1), plane);
+        return new Encounter(planeAndBox.origin(), planeAndBox.direction(), surfaces);
+    }
+
+    /** The ray goes to the corner, or to a point of an edge or of a triangle. */
+    private static Encounter mesh(RandomNumbers random) {
+        Vector middle = random.eighths(8);
+        Vector u = random.wholes(9).times(0.125);
+        Vector v = random.wholes(9).times(0.25);
+        if (u.cross(v).isZero()) {
+            return mesh(random);
+        }
+        List<Vector> ring = List.of(Vectors.plus(middle, u), Vectors.plus(middle, v), Vectors.plus(middle, -1, u),
+            Vectors.plus(middle, -1, v));
+        Vector target = Vectors.plus(Vectors.plus(middle, random.random().nextInt(3) / 4.0, u),
+            random.random().nextInt(3) / 4.0, v);
+        List<Surface> surfaces = IntStream.range(0, 8).mapToObj(i -> new TriangleQuery(u, v, middle, ring.get(i % 4),
+            ring.get((i + 1) % 4)).renamed(random.random().nextInt(6)).triangle()).map(Surface.class::cast).toList();
+        Vector origin = random.oneIn(2) ? random.eighths(20) : random.vector(20);
+        return new Encounter(origin, target.minus(origin), surfaces);
     }
 
     private static Encounter facesInAPlane(RandomNumbers random) {

@@ -6,6 +6,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * Surfaces through a point without any rounding, as long as its parts are up to a thousand and have no digit below
@@ -46,6 +47,28 @@ record Touching(RandomNumbers random, Vector point, Vector direction) {
         return new Box(Vectors.plus(point, face), 2 * half, 0);
     }
 
+    /** The point is a corner, or on an edge, or inside; the ray is not in its plane. */
+    Triangle triangle() {
+        Vector first = random.wholes(9).times(random.powerOfTwo(-3, 2));
+        Vector second = random.wholes(9).times(random.powerOfTwo(-3, 2));
+        if (first.cross(second).dot(direction) == 0) {
+            return triangle();
+        }
+        double weight = random.random().nextInt(1, 4);
+        Vector third = switch (random.random().nextInt(3)) {
+            case 0 -> Vector.ZERO;
+            case 1 -> first.times(-weight);
+            default -> Vectors.plus(first.times(-weight), -random.random().nextInt(1, 4), second);
+        };
+        return new TriangleQuery(point, direction, Vectors.plus(point, first), Vectors.plus(point, second),
+            Vectors.plus(point, third)).renamed(random.random().nextInt(6)).triangle();
+    }
+
+    /** A triangle, or two times in three any surface. */
+    Surface anyOrTriangle() {
+        return random.oneIn(3) ? triangle() : any();
+    }
+
     private double side(double part, boolean fromOutside) {
         return part == 0 ? random.sign() : fromOutside ? Math.signum(part) : -Math.signum(part);
     }
@@ -60,6 +83,10 @@ record Touching(RandomNumbers random, Vector point, Vector direction) {
         if (surface instanceof Sphere sphere) {
             return scalar ? new Sphere(sphere.centre(), random.beside(sphere.radius(), ulps), 0)
                 : new Sphere(random.beside(sphere.centre(), ulps), sphere.radius(), 0);
+        }
+        if (surface instanceof Triangle triangle) {
+            return scalar ? Triangle.of(random.beside(triangle.a(), ulps), triangle.b(), triangle.c(), 0)
+                : Triangle.of(triangle.a(), random.beside(triangle.b(), ulps), triangle.c(), 0);
         }
         Box box = (Box) surface;
         return scalar ? new Box(box.centre(), random.beside(box.edge(), ulps), 0)
