@@ -122,7 +122,8 @@ class FoldTest {
     /** The second triangle is above the plane of the first, and the light in front of both. */
     private static Case concave(RandomNumbers random, double size, double away) {
         double angle = random.between(3 * CLEAR, Math.PI - CLEAR);
-        return fold(random, size, away, angle, random.between(CLEAR, angle - CLEAR), random.between(CLEAR, angle - CLEAR), true);
+        return fold(random, size, away, angle, random.between(CLEAR, angle - CLEAR), random.between(CLEAR, angle - CLEAR),
+            true);
     }
 
     /** The light is behind the second triangle. */

@@ -140,7 +140,8 @@ record JointSide(Surface surface, boolean isHigh, List<Vector> normals, List<Vec
             return Optional.of(true);
         }
         Vector normal = normals.get(0);
-        Vector onPlane = Vectors.plus(back.times(1 / Math.abs(normal.dot(back))), 1 / Math.abs(normal.dot(direction)), direction);
+        Vector onPlane = Vectors.plus(back.times(1 / Math.abs(normal.dot(back))), 1 / Math.abs(normal.dot(direction)),
+            direction);
         double most = CLEAR * onPlane.length();
         if (onPlane.length() < CLEAR || inwards.stream().anyMatch(inward -> Math.abs(inward.dot(onPlane)) < most)) {
             return Optional.empty();

@@ -96,10 +96,14 @@ public enum OrderFamily implements EncounterFamily {
         double half = box.edge() / 2;
         Vector sideways = Axes.withPart(new Vector(random.sign(), random.sign(), random.sign()).times(half), axis, 0);
         Vector a = Axes.withPart(Vectors.plus(box.centre(), sideways), axis, face);
-        Vector b = Axes.withPart(a, (axis + 1) % 3, 2 * Axes.part(box.centre(), (axis + 1) % 3) - Axes.part(a, (axis + 1) % 3));
-        Vector c = Axes.withPart(a, (axis + 2) % 3, 2 * Axes.part(box.centre(), (axis + 2) % 3) - Axes.part(a, (axis + 2) % 3));
+        Vector b = mirrored(a, box.centre(), (axis + 1) % 3);
+        Vector c = mirrored(a, box.centre(), (axis + 2) % 3);
         Triangle triangle = new TriangleQuery(a, a, a, b, c).renamed(random.random().nextInt(6)).triangle();
         return random.oneIn(4) ? (Triangle) new Touching(random, a, a).besideByUlps(triangle, 1) : triangle;
+    }
+
+    private static Vector mirrored(Vector point, Vector centre, int axis) {
+        return Axes.withPart(point, axis, 2 * Axes.part(centre, axis) - Axes.part(point, axis));
     }
 
     /** Halves of a box's face, in front of it by their place in the scene or behind it; seen at about the box's middle. */

@@ -86,7 +86,7 @@ record TriangleVerdict(int rays, int hits, int undecided, double worst, List<Str
 
     /** As a row of a table. */
     String row(String title) {
-        return String.format(Locale.ROOT, "| %s | %d | %.0f | %.2g | %.2f | %d |", title, rays, 100.0 * hits / rays,
+        return String.format(Locale.ROOT, "| %s | %d | %.0f | %.1f | %.2f | %d |", title, rays, 100.0 * hits / rays,
             100.0 * undecided / rays, worst, faults.size());
     }
 }
