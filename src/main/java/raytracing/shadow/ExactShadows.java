@@ -48,13 +48,13 @@ final class ExactShadows extends SoftShadows {
             // it hides what is behind its wall at the hit, from inside everything, but for the part of the square in it
             Hit hit = shaft.hit;
             Basis axes = shaft.axes;
-            boolean isInside = hit.side() == Departure.INWARD;
+            Surface own = scene.surface(hit.surface());
+            boolean isInside = own instanceof Body && hit.side() == Departure.INWARD;
             ownShadow.query = query;
             ownShadow.a = isInside ? 0 : -hit.alongNormal(axes.ux(), axes.uy(), axes.uz());
             ownShadow.b = isInside ? 0 : -hit.alongNormal(axes.vx(), axes.vy(), axes.vz());
             ownShadow.c = isInside ? 1 : -hit.alongNormal(shaft.tx, shaft.ty, shaft.tz);
             ownShadow.passing = transmittanceOf[hit.surface()];
-            Surface own = scene.surface(hit.surface());
             if (own instanceof Body body && shaft.endsApartFrom(body)) {
                 shadows.beginFigure(ownShadow.passing, 1);
                 shadows.addLine(ownShadow.a, ownShadow.b, ownShadow.c);
@@ -95,10 +95,12 @@ final class ExactShadows extends SoftShadows {
             return true;
         }
 
-        /** Nor has a triangle. */
+        /** A triangle hides all that is behind its plane. */
         @Override
         public Boolean visit(Triangle triangle) {
-            return false;
+            shadows.beginFigure(passing, 1);
+            shadows.addLine(a, b, c);
+            return true;
         }
     }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import raytracing.hierarchy.PyramidTraversal;
 import raytracing.math.Basis;
 import raytracing.surface.Body;
+import raytracing.surface.Bounded;
 import raytracing.surface.Departure;
 import raytracing.surface.Hit;
 import raytracing.surface.Surface;
@@ -69,7 +70,7 @@ final class ShaftQuery {
             if (isClear && (endHeight > 0 || isLeftByAll)) {
                 return endHeight < 0;
             }
-            return scene.isOwnBodyCrossed(ofShaft.hit, ofShaft.segmentTo(x, y));
+            return scene.isOwnSurfaceCrossed(ofShaft.hit, ofShaft.segmentTo(x, y));
         }
     }
 
@@ -147,12 +148,12 @@ final class ShaftQuery {
         light = number;
         certain.clear();
         Surface own = scene.surface(hit.surface());
-        boolean isSeenFromInside = hit.side() == Departure.INWARD;
+        boolean isSeenFromInside = own instanceof Body && hit.side() == Departure.INWARD;
         int place = (hit.surface() + LIGHTS_APART * light) & (NEARBY - 1);
         boolean isNear = nearby.length > 0 && nearby[place].holds(light, hit);
         if (isNear) {
             find(nearby[place], hit.surface());
-            if (nearby[place].areClear() && !(own instanceof Body && (isSeenFromInside || !nearby[place].isWhollySeen(hit)))) {
+            if (nearby[place].areClear() && !(own instanceof Bounded && (isSeenFromInside || !nearby[place].isWhollySeen(hit)))) {
                 settleInLight();
                 return;
             }
@@ -168,8 +169,8 @@ final class ShaftQuery {
         double spread = shaft.halfWidth * (Math.abs(alongU) + Math.abs(alongV));
         boolean isWhollySeen = height - spread > shaft.margin;
         ownBodyIsObstacle = false;
-        if (own instanceof Body body && (isSeenFromInside || !isWhollySeen)) {
-            boolean isLeftByAll = shaft.endsApartFrom(body);
+        if (own instanceof Bounded && (isSeenFromInside || !isWhollySeen)) {
+            boolean isLeftByAll = !(own instanceof Body body) || shaft.endsApartFrom(body);
             ownBodyIsObstacle = !(isSeenFromInside && isLeftByAll);
             if (ownBodyIsObstacle) {
                 ownBody.number = hit.surface();

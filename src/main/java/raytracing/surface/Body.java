@@ -20,6 +20,13 @@ public sealed interface Body extends Bounded permits Sphere, Box {
     /** Whether a segment that starts on the wall and goes inwards ends strictly outside. */
     boolean isLeft(Segment segment);
 
+    /** From inside, if it ends outside; from outside, if it goes through from wall to wall. */
+    @Override
+    default boolean isCrossedFrom(Hit hit, Segment segment) {
+        return (hit.side() == Departure.INWARD
+            || hit.departureTowards(segment.dx, segment.dy, segment.dz) == Departure.INWARD) && isLeft(segment);
+    }
+
     /** Whether a ball of a radius of at least 0 is certainly outside. */
     boolean isApartFrom(double x, double y, double z, double radius);
 

@@ -6,4 +6,10 @@ import raytracing.hierarchy.Bounds;
 public sealed interface Bounded extends Surface permits Body, Triangle {
     /** Sets the i-th bounds to those of this surface. */
     void bound(Bounds bounds, int i);
+
+    /**
+     * Whether a segment that starts where this surface was hit crosses it: it goes behind it, seen from where the hit was seen,
+     * and if it is a body, it ends outside.
+     */
+    boolean isCrossedFrom(Hit hit, Segment segment);
 }

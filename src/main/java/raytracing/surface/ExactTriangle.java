@@ -57,17 +57,19 @@ record ExactTriangle(DyadicVector a, DyadicVector b, DyadicVector c, ExactPlane 
     /** Whether a segment that does not start on this triangle by its number crosses it between its ends. */
     boolean isCrossed(Segment segment, int number) {
         RayOrigin origin = segment.start;
-        if (touches(segment.end(), segment.endError)) {
-            return false;
-        }
         DyadicVector end = DyadicVector.of(segment.end());
-        int endSide = -plane.gap(end).signum();
+        int endSide = endSide(segment);
         if (touches(origin.point(), origin.error())) {
             return plane.side(origin, number) * endSide < 0
                 && passesTouchedEdges(origin, end.minus(DyadicVector.of(origin.seenFrom())), endSide);
         }
         DyadicVector start = DyadicVector.of(origin.point());
         return plane.gap(start).signum() * endSide > 0 && passesEdges(start, end.minus(start), endSide);
+    }
+
+    /** On which side of the plane a segment ends; 0 if it touches the triangle there. */
+    int endSide(Segment segment) {
+        return touches(segment.end(), segment.endError) ? 0 : -plane.gap(DyadicVector.of(segment.end())).signum();
     }
 
     /** On which side of the plane a point lies, as {@link ExactPlane#side} tells. */

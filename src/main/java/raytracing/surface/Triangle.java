@@ -267,6 +267,31 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         return isClear ? gap > 0 != endGap > 0 : ExactTriangle.of(this).isCrossed(segment, number);
     }
 
+    /** Whether it ends on the other side of the plane than that from which the hit was seen. */
+    @Override
+    public boolean isCrossedFrom(Hit hit, Segment segment) {
+        int seenFrom = hit.side() == Departure.OUTWARD ? 1 : -1;
+        return endSide(segment) == -seenFrom;
+    }
+
+    /** On which side of the plane a segment ends: 1 where the normal points; 0 on the triangle within the end's error. */
+    private int endSide(Segment segment) {
+        double toAx = ax - segment.endX;
+        double toAy = ay - segment.endY;
+        double toAz = az - segment.endZ;
+        double toBx = bx - segment.endX;
+        double toBy = by - segment.endY;
+        double toBz = bz - segment.endZ;
+        double toCx = cx - segment.endX;
+        double toCy = cy - segment.endY;
+        double toCz = cz - segment.endZ;
+        double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
+        double m = largest(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
+        double error = gapError(m, segment.endError);
+        boolean isClear = error > SMALL && error < LARGE && m * m > SMALL && Math.abs(gap) > error;
+        return isClear ? (gap < 0 ? 1 : -1) : ExactTriangle.of(this).endSide(segment);
+    }
+
     private static double largest(double ax, double ay, double az, double bx, double by, double bz,
                                   double cx, double cy, double cz) {
         return Math.max(Vector.largestPart(ax, ay, az),

@@ -12,7 +12,6 @@ import raytracing.scene.Scene;
 import raytracing.surface.Body;
 import raytracing.surface.Bounded;
 import raytracing.surface.Box;
-import raytracing.surface.Departure;
 import raytracing.surface.Hit;
 import raytracing.surface.Plane;
 import raytracing.surface.Segment;
@@ -306,13 +305,8 @@ public final class PreparedScene {
         return transmittances;
     }
 
-    /**
-     * Whether a segment from a hit crosses the body of the surface that was hit: from inside, if it ends outside; from
-     * outside, if it goes through from wall to wall.
-     */
-    public boolean isOwnBodyCrossed(Hit hit, Segment segment) {
-        return (hit.side() == Departure.INWARD
-            || hit.departureTowards(segment.dx(), segment.dy(), segment.dz()) == Departure.INWARD)
-            && surfaces[hit.surface()] instanceof Body body && body.isLeft(segment);
+    /** Whether a segment from a hit crosses the surface that was hit, or its body. An endless plane does not hide its back. */
+    public boolean isOwnSurfaceCrossed(Hit hit, Segment segment) {
+        return surfaces[hit.surface()] instanceof Bounded own && own.isCrossedFrom(hit, segment);
     }
 }

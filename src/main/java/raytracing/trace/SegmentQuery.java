@@ -44,7 +44,7 @@ public final class SegmentQuery {
             lastOpaque[memory] = list.addCrossed(segment, traversal, crossed, lastOpaque[memory]);
             memory++;
         }
-        if (!crossed.isDark() && scene.isOwnBodyCrossed(from, segment)) {
+        if (!crossed.isDark() && scene.isOwnSurfaceCrossed(from, segment)) {
             crossed.add(from.surface());
         }
         return crossed.transmittance();
