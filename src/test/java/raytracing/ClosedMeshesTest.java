@@ -1,10 +1,12 @@
 package raytracing;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -57,6 +59,10 @@ class ClosedMeshesTest {
                 p -> Vectors.plus(p, new Vector(-7e5, 1e6, 4e5)).times(1e-9)))));
     }
 
+    static Stream<ClosedMesh> convexMeshes() {
+        return meshes().filter(mesh -> !mesh.name().startsWith("star") && !mesh.name().startsWith("ring"));
+    }
+
     private static UnaryOperator<Vector> after(UnaryOperator<Vector> first, UnaryOperator<Vector> second) {
         return p -> second.apply(first.apply(p));
     }
@@ -85,6 +91,29 @@ class ClosedMeshesTest {
     void noMirrorShowsALampOrTheSkyOutside(ClosedMesh mesh) {
         assertBlack(mesh, NOTHING, Color.BLACK, 5, HALF_A_MIRROR, ShadowMethod.Sampled.withRoot(1));
         assertBlack(mesh, AFTER_12_REFLECTIONS, WHITE, 12, HALF_A_MIRROR, ShadowMethod.Sampled.withRoot(1));
+    }
+
+    /** What faces a point of light on a convex mesh is lit by it, also on an edge beside a face that does not. */
+    @ParameterizedTest
+    @MethodSource("convexMeshes")
+    void noConvexMeshCastsAShadowOnItself(ClosedMesh mesh) {
+        for (int i = 0; i < mesh.targets().size(); i++) {
+            Vector middle = mesh.eyes().get(0);
+            Vector target = mesh.targets().get(i);
+            Vector view = middle.minus(target);
+            Camera camera = new Camera(Vectors.plus(middle, i % 2 == 0 ? -3 : -20, view), target, upFor(view), 1,
+                i % 2 == 0 ? 1 : 0.1, new Pinhole());
+            assertArrayEquals(light(mesh, camera, 0), light(mesh, camera, 1), "view " + i);
+        }
+    }
+
+    /** The picture under lamps outside that are so much darkened by shadows. */
+    private static int[] light(ClosedMesh mesh, Camera camera, double shadowIntensity) {
+        List<Light> lamps = lampsAround(mesh.eyes().get(0), 4 * mesh.reach()).stream().map(lamp -> new Light(lamp.position(),
+            lamp.color(), lamp.specularIntensity(), shadowIntensity, 0)).toList();
+        Film film = Steps.renderScene(new Scene(camera, new Settings(HALF, 1, 0, 0), List.of(MATTE), mesh.surfaces(), lamps),
+            RenderSettings.DEFAULT.withSize(SIZE, SIZE));
+        return IntStream.range(0, SIZE * SIZE).map(i -> film.encoded(i % SIZE, i / SIZE)).toArray();
     }
 
     private static void assertBlack(ClosedMesh mesh, double mostLight, Color sky, int reflections, Material material,
