@@ -18,6 +18,7 @@ import raytracing.math.Vectors;
 import raytracing.surface.HitRecord;
 import raytracing.surface.PointError;
 import raytracing.surface.RayRecord;
+import raytracing.surface.Triangle;
 import raytracing.trace.PreparedScene;
 import raytracing.trace.Queries;
 import raytracing.trace.RayQuery;
@@ -99,6 +100,56 @@ class ExactShadowsTest {
     @Test
     void aSlantedPlaneCutsACornerOff() {
         assertEquals(1 - 1 / 32.0, shareFromAbove("pln 1 0 1 1.5 1", 2), ROUNDING);
+    }
+
+    /** At height 2, an edge above the point and a third corner: twice as large in the light's plane, a quarter of the square. */
+    @Test
+    void aTriangleHidesATriangle() {
+        assertEquals(1 - 1 / 4.0, shareFromAbove("trg 0 2 -0.5 0 2 0.5 0.5 2 0 1", 2), ROUNDING);
+    }
+
+    /** The two halves of a square at height 2, of which one corner is above the point; each may be on either side. */
+    @ParameterizedTest
+    @ValueSource(strings = {"trg 0 2 0 1 2 0 1 2 1 1\ntrg 0 2 0 1 2 1 0 2 1 1",
+        "trg 0 2 0 1 2 1 1 2 0 1\ntrg 0 2 0 1 2 1 0 2 1 1"})
+    void twoHalvesOfASquareHideASquare(String halves) {
+        assertEquals(1 - 4 / 36.0, shareFromAbove(halves, 6), ROUNDING);
+    }
+
+    /**
+     * An upright triangle at x = 0.5, 1 wide at height 2 and 0.5 wide where the light's plane cuts it: before the light is its
+     * lower part, there a trapezoid from x = 1, 2 wide, to x = 0.5.
+     */
+    @Test
+    void aTriangleThroughTheLightHidesWithWhatIsBeforeIt() {
+        assertEquals(1 - 0.5 * (2 + 0.5) * 0.5 / 36, shareFromAbove("trg 0.5 2 -0.5 0.5 2 0.5 0.5 6 0 1", 6), ROUNDING);
+    }
+
+    @Test
+    void aTriangleBehindThePointOrBehindTheLightHidesNothing() {
+        assertEquals(1, shareFromAbove("trg -9 -1 -9 9 -1 -9 0 -1 9 1\ntrg -9 5 -9 9 5 -9 0 5 9 1", 2));
+    }
+
+    @Test
+    void aTransparentTriangleLetsItsShareThrough() {
+        assertEquals(1 - 0.75 / 4, shareFromAbove("trg 0 2 -0.5 0 2 0.5 0.5 2 0 2", 2), ROUNDING);
+    }
+
+    @Test
+    void twoTransparentTwinsDimTwice() {
+        String triangle = "trg 0 2 -0.5 0 2 0.5 0.5 2 0 2\n";
+        assertEquals(1 - (1 - 0.0625) / 4, shareFromAbove(triangle + triangle, 2), ROUNDING);
+    }
+
+    /**
+     * A fold, open to the right: from a point on its lower half, the corner of the upper half is before the light's middle, and
+     * both its edges from there go to the left, 9 times as far to the front or the back.
+     */
+    @Test
+    void thePointOnATriangleIsHiddenByItsNeighbour() {
+        RayRecord down = new RayRecord(new Vector(1, 0.125, 0), new Vector(0, -1, 0));
+        String fold = "trg 0 0 -9 0 0 9 9 0 0 1\ntrg 0 0 -9 0 0 9 1 2 0 1\n";
+        assertEquals(0.5 + 1 / 36.0, share(fold, down, new Vector(1, 4, 0), 4), ROUNDING);
     }
 
     @Test
@@ -203,6 +254,18 @@ class ExactShadowsTest {
         assertAgreesWithSampling(new ShadowQueries(seed, 0, 0.7, 0.3, 0.9));
     }
 
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void agreesWithTheLimitOfSamplingForOpaqueTriangles(long seed) {
+        assertAgreesWithSampling(ShadowQueries.amongTriangles(seed, 0));
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void agreesWithTheLimitOfSamplingForTransparentTriangles(long seed) {
+        assertAgreesWithSampling(ShadowQueries.amongTriangles(seed, 0, 0.7, 0.3, 0.9));
+    }
+
     /**
      * 16 runs give a distance in Student's t with 15 degrees of freedom. One of 150 is beyond 7 by chance in 0.06 % of
      * all seeds; the root of their mean square, 1.07 on average, is above 1.3 in less than 0.1 %.
@@ -233,24 +296,70 @@ class ExactShadowsTest {
         SplittableRandom random = new SplittableRandom(1);
         int open = 0;
         for (int i = 0; i < 3000; i++) {
-            PreparedScene scene = Queries.prepared(SceneText.scene(HEAD + roundSurfaces(random)),
-                ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+            open += roundQuestions(roundSurfaces(random), random);
+        }
+        int questions = open;
+        assertTrue(questions > 2000, () -> "hardly a test: " + questions);
+    }
+
+    /** The same among triangles with round corners: neighbours in one plane, twins, edges and corners that many share. */
+    @Test
+    void trianglesThatTouchAndCoincideHaveTheSharesThatRaysFind() {
+        SplittableRandom random = new SplittableRandom(2);
+        RandomTriangles triangles = new RandomTriangles(random, 3);
+        int open = 0;
+        for (int i = 0; i < 4500; i++) {
+            open += roundQuestions(triangles.grid(random.nextInt(1, 7)), random);
+        }
+        int questions = open;
+        assertTrue(questions > 2000, () -> "hardly a test: " + questions);
+    }
+
+    /** From points on the edges and corners of meshes, which touch several of their triangles. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-16, 1e-9})
+    void meshesSeenFromTheirEdgesAndCornersHaveTheSharesThatRaysFind(double aside) {
+        SplittableRandom random = new SplittableRandom(3);
+        RandomTriangles triangles = new RandomTriangles(random, 3);
+        int open = 0;
+        for (int i = 0; i < 150; i++) {
+            String surfaces = triangles.meshes(1);
+            PreparedScene scene = Queries.prepared(SceneText.scene(HEAD + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
             RayQuery walk = new RayQuery(scene);
             for (int k = 0; k < 8; k++) {
-                Queries.start(walk,
-                    new RayRecord(roundVector(random, 6), new Vector(random.nextDouble(-1, 1), random.nextInt(-1, 2), 0.5)));
+                Triangle triangle = (Triangle) scene.surface(random.nextInt(20));
+                Vector onEdge = Vectors.plus(triangle.a(), random.nextInt(3) / 2.0, triangle.b().minus(triangle.a()));
+                Vector eye = roundVector(random, 6);
+                Queries.start(walk, new RayRecord(eye,
+                    Vectors.plus(onEdge, random.nextDouble(-1, 1) * aside, new Vector(1, 1, 1)).minus(eye)));
                 Vector light = roundVector(random, 4);
-                if (!walk.advance()) {
-                    continue;
-                }
-                HitRecord hit = Queries.hit(walk);
-                if (light.minus(hit.point()).dot(hit.normal()) > 1e-9) {
-                    open += assertAgreesWithRays(new ShadowQueries.Query(scene, hit, light, random.nextInt(1, 5), ""));
+                if (walk.advance() && light.minus(Queries.hit(walk).point()).dot(Queries.hit(walk).normal()) > 1e-9) {
+                    open += assertAgreesWithRays(new ShadowQueries.Query(scene, Queries.hit(walk), light,
+                        random.nextInt(1, 5), surfaces));
                 }
             }
         }
         int questions = open;
-        assertTrue(questions > 2000, () -> "hardly a test: " + questions);
+        assertTrue(questions > 150, () -> "hardly a test: " + questions);
+    }
+
+    private static int roundQuestions(String surfaces, SplittableRandom random) {
+        int open = 0;
+        PreparedScene scene = Queries.prepared(SceneText.scene(HEAD + surfaces), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+        RayQuery walk = new RayQuery(scene);
+        for (int k = 0; k < 8; k++) {
+            Queries.start(walk,
+                new RayRecord(roundVector(random, 6), new Vector(random.nextDouble(-1, 1), random.nextInt(-1, 2), 0.5)));
+            Vector light = roundVector(random, 4);
+            if (!walk.advance()) {
+                continue;
+            }
+            HitRecord hit = Queries.hit(walk);
+            if (light.minus(hit.point()).dot(hit.normal()) > 1e-9) {
+                open += assertAgreesWithRays(new ShadowQueries.Query(scene, hit, light, random.nextInt(1, 5), surfaces));
+            }
+        }
+        return open;
     }
 
     private static int assertAgreesWithRays(ShadowQueries.Query query) {

@@ -8,8 +8,10 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.Meshes;
 import raytracing.SceneText;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.surface.Departure;
 import raytracing.surface.Hit;
 import raytracing.surface.HitRecord;
@@ -44,7 +46,14 @@ class NearbyShaftsTest {
 
     private static double share(ShaftQuery query, Hit hit, Vector light, double width, long key) {
         query.aim(hit, 0, light.x(), light.y(), light.z(), PointError.written(light), width);
-        return query.isSettled() ? query.settledTransmittance() * ROOT * ROOT : query.sumOverCells(ROOT, key);
+        if (!query.isSettled()) {
+            return query.sumOverCells(ROOT, key);
+        }
+        double sum = 0;                                // one by one: so both are rounded alike
+        for (int i = 0; i < ROOT * ROOT; i++) {
+            sum += query.settledTransmittance();
+        }
+        return sum;
     }
 
     /** Many rays into a small part of a scene, as those of a tile: the same query answers as a new one for each point. */
@@ -54,6 +63,21 @@ class NearbyShaftsTest {
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < 150; i++) {
             PreparedScene scene = prepared(crowd(random, scale));
+            Vector light = vector(random, 6 * scale);
+            double width = random.nextDouble(0.05, 2) * scale;
+            compareTile(scene, vector(random, 4 * scale), vector(random, 1), light, width, random);
+        }
+        assertTrue(compared > 3000, () -> compared + " compared");
+    }
+
+    /** The same among triangles and small meshes. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-9, 1, 1e6})
+    void aQueryThatRemembersAnswersAsANewOneAmongTriangles(double scale) {
+        SplittableRandom random = new SplittableRandom(3);
+        RandomTriangles triangles = new RandomTriangles(random, 3);
+        for (int i = 0; i < 250; i++) {
+            PreparedScene scene = prepared(triangles.crowd(random.nextInt(2, 9), 4 * scale));
             Vector light = vector(random, 6 * scale);
             double width = random.nextDouble(0.05, 2) * scale;
             compareTile(scene, vector(random, 4 * scale), vector(random, 1), light, width, random);
@@ -123,6 +147,30 @@ class NearbyShaftsTest {
         assertTrue(leastShare < ROOT * ROOT || beyond > -0.4);
     }
 
+    /** A triangle with a corner that a shaft from the border of the neighbourhood meets, and no shaft from its middle does. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.5, -0.1, -1e-3, -1e-12, 0, 1e-12})
+    void aTriangleBesideOneShaftWhoseCornerTouchesTheNextIsFound(double beyond) {
+        SplittableRandom random = new SplittableRandom(4);
+        double diagonal = Math.sqrt(0.5);
+        for (int i = 0; i < 300; i++) {
+            double along = random.nextDouble(0.001, 0.3);
+            double size = random.nextDouble(0.01, 1);
+            // the line from (0.62, 0) to (1.41, 10), a corner of the light, in the plane x = z; the triangle is outside it
+            double aside = diagonal * (0.62 + 0.79 * along + beyond * size);
+            Vector corner = new Vector(aside, 10 * along, aside);
+            PreparedScene scene = prepared("pln 0 1 0 0 1\n" + Meshes.triangle(corner,
+                Vectors.plus(corner, size, new Vector(random.nextDouble(0.5, 1), 0.05, 0.2)),
+                Vectors.plus(corner, size, new Vector(0.2, random.nextDouble(-0.1, 0.1), random.nextDouble(0.5, 1))), 1));
+            ShaftQuery query = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
+            for (double way = 0; way <= 0.62; way += 0.02) {
+                assertRemembered(query, scene, floorPoint(diagonal * way, diagonal * way), new Vector(0, 10, 0),
+                    random.nextLong());
+            }
+        }
+        assertTrue(leastShare < ROOT * ROOT || beyond > -0.4);
+    }
+
     @Test
     void aPlaneBehindSomeOfThePointsIsFound() {
         PreparedScene scene = prepared("pln 0 1 0 0 1\npln 1 -0.3 0 0.5 1");
@@ -150,7 +198,8 @@ class NearbyShaftsTest {
     @Test
     void fromTheSecondPointOnAFreeLightNeedsNoShaft() {
         int settledWithoutAim = 0;
-        ShaftQuery query = new ShaftQuery(prepared("pln 0 1 0 0 1\nsph 9 5 0 1 1\nbox -9 5 0 2 1"), ShaftQuery.Use.LINES, 1);
+        ShaftQuery query = new ShaftQuery(prepared("pln 0 1 0 0 1\nsph 9 5 0 1 1\nbox -9 5 0 2 1\n"
+            + "trg 9 5 0 9 4 2 8 5 0 1"), ShaftQuery.Use.LINES, 1);
         Vector light = new Vector(0, 10, 0);
         for (int i = 0; i < 3; i++) {
             share(query, floorPoint(0.01 * i, 0), light, 1, 1);

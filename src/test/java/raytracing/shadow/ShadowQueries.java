@@ -25,6 +25,7 @@ public final class ShadowQueries {
     private final SplittableRandom random;
     private final String head;
     private final int materials;
+    private final boolean hasTriangles;
     private String surfaces;
     private PreparedScene scene;
     private RayQuery walk;
@@ -37,6 +38,11 @@ public final class ShadowQueries {
      * @param transmittances of the materials; 0 is opaque
      */
     public ShadowQueries(long seed, double... transmittances) {
+        this(false, seed, transmittances);
+    }
+
+    private ShadowQueries(boolean hasTriangles, long seed, double... transmittances) {
+        this.hasTriangles = hasTriangles;
         random = new SplittableRandom(seed);
         StringBuilder lines = new StringBuilder("cam 0 0 -5 0 0 0 0 1 0 1 1\nset 0 0 0 1 1\n");
         for (double transmittance : transmittances) {
@@ -47,8 +53,13 @@ public final class ShadowQueries {
         startScene();
     }
 
+    /** The same among surfaces of which most are triangles. */
+    public static ShadowQueries amongTriangles(long seed, double... transmittances) {
+        return new ShadowQueries(true, seed, transmittances);
+    }
+
     private void startScene() {
-        surfaces = crowd();
+        surfaces = hasTriangles ? new RandomTriangles(random, materials).crowd(random.nextInt(1, 12), SPREAD) : crowd();
         scene = prepared(surfaces);
         walk = new RayQuery(scene);
         raysLeft = RAYS_IN_A_SCENE;

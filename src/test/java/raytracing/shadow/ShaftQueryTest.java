@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.Meshes;
 import raytracing.SceneText;
 import raytracing.math.Vector;
 import raytracing.math.Vectors;
@@ -22,6 +23,7 @@ import raytracing.surface.HitRecord;
 import raytracing.surface.PointError;
 import raytracing.surface.RayRecord;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 import raytracing.trace.PreparedScene;
 import raytracing.trace.Queries;
 import raytracing.trace.RayQuery;
@@ -39,6 +41,8 @@ class ShaftQueryTest {
         mtl 1 1 1 0 0 0 0 0 0 1 0.3
         mtl 1 1 1 0 0 0 0 0 0 1 0.9
         """;
+
+    private static final String HUGE_TRIANGLE = "trg -9 5 -9 9 5 -9 0 5 9 1";
 
     /** How often each kind of shaft came up in a test: a test of settled shafts alone, or of none, shows nothing. */
     private int settled;
@@ -147,6 +151,90 @@ class ShaftQueryTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4})
+    void shaftsInACrowdOfTriangles(int materials) {
+        SplittableRandom random = new SplittableRandom(11);
+        RandomTriangles triangles = new RandomTriangles(random, materials);
+        for (int i = 0; i < 400; i++) {
+            shafts(prepared(triangles.crowd(random.nextInt(1, 12), 4), EnumSet.allOf(Shortcut.class)), random, false);
+        }
+        assertBothKindsCameUp(200);
+    }
+
+    /** Neighbours in one plane, twins, shared edges and corners, lights and points on all of them. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4})
+    void shaftsBetweenTrianglesThatTouch(int materials) {
+        SplittableRandom random = new SplittableRandom(12);
+        RandomTriangles triangles = new RandomTriangles(random, materials);
+        for (int i = 0; i < 400; i++) {
+            shafts(prepared(triangles.grid(random.nextInt(1, 8)), EnumSet.allOf(Shortcut.class)), random, true);
+        }
+        assertBothKindsCameUp(100);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4})
+    void shaftsBetweenMeshes(int materials) {
+        SplittableRandom random = new SplittableRandom(13);
+        RandomTriangles triangles = new RandomTriangles(random, materials);
+        for (int i = 0; i < 80; i++) {
+            shafts(prepared(triangles.meshes(1), EnumSet.allOf(Shortcut.class)), random, false);
+        }
+        assertBothKindsCameUp(60);
+    }
+
+    /** Hits on the edges and corners of meshes, which touch several triangles, and very near to them. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-16, 1e-14, 1e-9})
+    void shaftsFromEdgesAndCornersOfMeshes(double aside) {
+        SplittableRandom random = new SplittableRandom(14);
+        RandomTriangles triangles = new RandomTriangles(random, 3);
+        for (int i = 0; i < 60; i++) {
+            PreparedScene scene = prepared(triangles.meshes(1), EnumSet.allOf(Shortcut.class));
+            RayQuery walk = new RayQuery(scene);
+            for (int k = 0; k < 12; k++) {
+                Triangle triangle = (Triangle) scene.surface(random.nextInt(20));
+                Vector onEdge = Vectors.plus(triangle.a(), random.nextInt(3) / 2.0, triangle.b().minus(triangle.a()));
+                Vector eye = vector(random, 5);
+                Queries.start(walk, new RayRecord(eye, Vectors.plus(onEdge, aside, vector(random, 2)).minus(eye)));
+                Vector light = vector(random, 6);
+                if (walk.advance() && light.minus(Queries.hit(walk).point()).length() > 1e-9) {
+                    assertSameBits(scene, walk.hit(), light, random.nextDouble(0.01, 3), random);
+                }
+            }
+        }
+        assertBothKindsCameUp(40);
+    }
+
+    /** Far from the world's origin, rounding hides more and more, and the shaft must know how much: points lie on twins. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e3, 1e6, 1e9, 1e12})
+    void shaftsBetweenTrianglesFarFromTheOriginOfTheWorld(double far) {
+        SplittableRandom random = new SplittableRandom(15);
+        Vector middle = new Vector(far, -far / 3, far / 7);
+        for (int i = 0; i < 400; i++) {
+            Vector a = Vectors.plus(middle, vector(random, 1));
+            Vector b = Vectors.plus(middle, vector(random, 1));
+            Vector c = Vectors.plus(middle, vector(random, 1));
+            Vector d = Vectors.plus(middle, vector(random, 2));
+            if (Triangle.areOnALine(a, b, c) || Triangle.areOnALine(b, c, d) || Triangle.areOnALine(c, a, d)) {
+                continue;
+            }
+            PreparedScene scene = prepared(Meshes.triangle(a, b, c, 1) + Meshes.triangle(c, a, b, 2)
+                + Meshes.triangle(b, c, d, 3) + Meshes.triangle(c, a, d, 1), EnumSet.allOf(Shortcut.class));
+            Vector eye = Vectors.plus(vector(random, 3), middle);
+            RayQuery walk = new RayQuery(scene);
+            Queries.start(walk, new RayRecord(eye, Vectors.plus(middle, vector(random, 0.5)).minus(eye)));
+            Vector light = Vectors.plus(vector(random, 5), middle);
+            if (walk.advance() && light.minus(Queries.hit(walk).point()).length() > 0.01) {
+                assertSameBits(scene, walk.hit(), light, random.nextDouble(0.1, 2), random);
+            }
+        }
+        assertTrue(open > 10, () -> open + " open");
+    }
+
     /** Far from the world's origin, rounding hides more and more, and the shaft must know how much: points lie on twins. */
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e6, 1e9, 1e12})
@@ -191,6 +279,30 @@ class ShaftQueryTest {
         }
     }
 
+    /** Triangles with an edge along one of the shaft's walls, or a corner on one of its edges, from outside or just within. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-1e-3, -1e-9, -1e-13, -1e-15, 0, 1e-15, 1e-13, 1e-9, 1e-3})
+    void trianglesThatBarelyTouchTheShaft(double beyond) {
+        SplittableRandom random = new SplittableRandom(16);
+        HitRecord floor = new HitRecord(0, 0, Vector.ZERO, 0x1p-51, new Vector(0, 1, 0), Departure.OUTWARD);
+        for (int i = 0; i < 400; i++) {
+            Vector light = new Vector(random.nextDouble(-3, 3), 10, random.nextDouble(-3, 3));
+            Vectors.Axes square = Vectors.around(light);
+            Vector aside = square.u().times(random.nextBoolean() ? 1 : -1);
+            double grown = 1 + beyond;
+            Vector first = Vectors.plus(light, grown, Vectors.plus(aside, random.nextDouble(-1, 1), square.v()));
+            Vector second = Vectors.plus(light, grown, Vectors.plus(aside, random.nextInt(-1, 2), square.v()));
+            Vector a = first.times(random.nextDouble(0.1, 1.2));
+            Vector b = random.nextBoolean() ? second.times(random.nextDouble(0.1, 1))
+                : Vectors.plus(a, random.nextDouble(3), Vectors.plus(aside, vector(random, 1)));
+            Vector c = Vectors.plus(a, random.nextDouble(3), Vectors.plus(aside, vector(random, 1)));
+            PreparedScene scene = prepared("pln 0 1 0 0 1\n" + Meshes.triangle(a, b, c, 1 + i % 2),
+                EnumSet.allOf(Shortcut.class));
+            assertSameBits(scene, floor.toHit(), light, 2, random);
+        }
+        assertTrue(open > (beyond < 1e-9 ? 50 : 5), () -> settled + " settled, " + open + " open");
+    }
+
     /** The switches: with each shortcut left out alone, the answers are the same. */
     @ParameterizedTest
     @EnumSource(Shortcut.class)
@@ -199,6 +311,8 @@ class ShaftQueryTest {
         EnumSet<Shortcut> others = EnumSet.complementOf(EnumSet.of(shortcut));
         for (int i = 0; i < 60; i++) {
             shafts(prepared(crowd(random, 6, 3, 4), others), random, false);
+            shafts(prepared(new RandomTriangles(random, 3).crowd(8, 4), others), random, false);
+            shafts(prepared(new RandomTriangles(random, 3).grid(4), others), random, true);
         }
         assertTrue(open > 20, () -> open + " open");
     }
@@ -210,11 +324,25 @@ class ShaftQueryTest {
         assertSettled(1, scene);
     }
 
+    /** One before each wall of the shaft, one behind the light, one below the floor, and two in planes through the point. */
+    @Test
+    void trianglesBesideTheLightSettleItWithoutALine() {
+        assertSettled(1, prepared("pln 0 1 0 0 1\ntrg 2 5 0 9 5 1 9 6 -1 1\ntrg -2 5 0 -9 5 1 -9 6 -1 1\n"
+            + "trg 0 5 2 1 5 9 -1 6 9 1\ntrg 0 5 -2 1 5 -9 -1 6 -9 1\ntrg -9 11 -9 9 11 -9 0 11 9 1\n"
+            + "trg -9 -1 -9 9 -1 -9 0 -1 9 1\ntrg 2 0 -9 2 0 9 9 0 0 1\ntrg 2 5 0 9 5 0 9 6 0 1", EnumSet.allOf(Shortcut.class)));
+    }
+
+    @Test
+    void glassTrianglesBeforeTheWholeLightSettleItToo() {
+        assertSettled(0.7 * 0.3, prepared("pln 0 1 0 0 1\ntrg -9 5 -9 9 5 -9 0 5 9 2\ntrg 0 6 9 -9 6 -9 9 6 -9 3",
+            EnumSet.allOf(Shortcut.class)));
+    }
+
     /** With a new kind of surface this fails until a shaft knows it. */
     @Test
     void everyKindOfSurfaceCastsAShadow() {
         Set<Class<?>> kinds = new HashSet<>();
-        for (String surface : List.of("sph 0 5 0 2 1", "box 0 5 0 4 1", "pln 0 1 0 5 1")) {
+        for (String surface : List.of("sph 0 5 0 2 1", "box 0 5 0 4 1", "pln 0 1 0 5 1", HUGE_TRIANGLE)) {
             PreparedScene scene = prepared("pln 0 1 0 0 1\n" + surface, EnumSet.allOf(Shortcut.class));
             assertSettled(0, scene);
             kinds.add(scene.surface(1).getClass());
@@ -234,7 +362,7 @@ class ShaftQueryTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"sph 0 5 0 2 1", "box 0.1 5 0 4 1", "pln 0.1 1 0 5 1"})
+    @ValueSource(strings = {"sph 0 5 0 2 1", "box 0.1 5 0 4 1", "pln 0.1 1 0 5 1", HUGE_TRIANGLE})
     void aSurfaceBeforeTheWholeLightSettlesItInTheDark(String surface) {
         assertSettled(0, prepared("pln 0 1 0 0 1\n" + surface + "\nsph 0.5 8 0 0.3 2", EnumSet.allOf(Shortcut.class)));
     }
@@ -266,5 +394,22 @@ class ShaftQueryTest {
             assertSameBits(prepared(beads.toString(), EnumSet.allOf(Shortcut.class)), floor.toHit(), new Vector(0, 10, 0), 2,
                 random);
         }
+    }
+
+    @Test
+    void aShaftFullOfTriangles() {
+        SplittableRandom random = new SplittableRandom(17);
+        StringBuilder lines = new StringBuilder("pln 0 1 0 0 1\n");
+        for (int i = 0; i < 200; i++) {
+            Vector a = new Vector(random.nextDouble(-1, 1), random.nextDouble(1, 9), random.nextDouble(-1, 1));
+            lines.append(Meshes.triangle(a, Vectors.plus(a, vector(random, 0.2)), Vectors.plus(a, vector(random, 0.2)),
+                random.nextInt(2, 5)));
+        }
+        HitRecord floor = new HitRecord(0, 0, Vector.ZERO, 0x1p-51, new Vector(0, 1, 0), Departure.OUTWARD);
+        for (int i = 0; i < 20; i++) {
+            assertSameBits(prepared(lines.toString(), EnumSet.allOf(Shortcut.class)), floor.toHit(), new Vector(0, 10, 0), 2,
+                random);
+        }
+        assertTrue(partlyCovered == 20, () -> partlyCovered + " partly covered");
     }
 }
