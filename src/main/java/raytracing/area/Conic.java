@@ -252,7 +252,8 @@ class Conic {
         }
     }
 
+    /** A polygon that rounding has shrunk to one point seems to contain every point. */
     private double uncrossedArea(ConvexPolygons polygons, int polygon) {
-        return wholeArea > 0 && polygons.contains(polygon, middleX, middleY) ? wholeArea : 0;
+        return wholeArea > 0 && polygons.contains(polygon, middleX, middleY) ? Math.min(wholeArea, polygons.area(polygon)) : 0;
     }
 }

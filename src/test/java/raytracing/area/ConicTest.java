@@ -85,6 +85,15 @@ class ConicTest {
         return polygon;
     }
 
+    /** So far from (0, 0), the polygon's corners are one point. Pieces of a light are, between triangles that share a corner. */
+    @Test
+    void aPolygonShrunkToAPointHoldsNoDisc() {
+        int polygon = polygons.addRegular(1, 1, 1e-30, 3);
+        conic.setDisc(3, 1, 0.5);
+        assertEquals(0, conic.area(polygons, polygon));
+        assertEquals(Side.BEYOND, conic.side(polygons, polygon));
+    }
+
     /** Errors are below 5e-12 in 400 000 such cases, and mostly below 1e-15. */
     @ParameterizedTest
     @EnumSource(CanonicalConic.class)

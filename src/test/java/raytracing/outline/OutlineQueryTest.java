@@ -76,7 +76,11 @@ class OutlineQueryTest {
     }
 
     private static int scenes(RandomViews.Kind kind) {
-        return kind == RandomViews.Kind.HEAP ? SCENES / 4 : SCENES;
+        return isCrowded(kind) ? SCENES / 4 : SCENES;
+    }
+
+    private static boolean isCrowded(RandomViews.Kind kind) {
+        return kind == RandomViews.Kind.HEAP || kind == RandomViews.Kind.FINE_MESH;
     }
 
     /** Together over a million pairs of a random ray, or one through a corner, and that through the middle. */
@@ -94,7 +98,7 @@ class OutlineQueryTest {
                 }
             }
         }
-        assertTrue(pairs > (kind == RandomViews.Kind.HEAP ? 30_000 : 150_000), pairs + " pairs");
+        assertTrue(pairs > (isCrowded(kind) ? 30_000 : 150_000), pairs + " pairs");
     }
 
     private static void assertOneList(Picture picture, int x, int y, SplittableRandom random) {
@@ -119,7 +123,7 @@ class OutlineQueryTest {
             }
         }
         int outlines = found;
-        assertTrue(found > (kind == RandomViews.Kind.DUST ? 100 : 500), () -> outlines + " outlines");
+        assertTrue(found > (kind == RandomViews.Kind.DUST || kind == RandomViews.Kind.SPLINTERS ? 100 : 500), () -> outlines + " outlines");
     }
 
     /** Returns 1 if there is an outline between two random rays, both ends of which are in one pixel. */

@@ -1,8 +1,10 @@
 package raytracing.outline;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import raytracing.Meshes;
 import raytracing.color.Color;
 import raytracing.math.Vector;
 import raytracing.scene.Camera;
@@ -35,7 +37,19 @@ final class RandomViews {
         /** More bodies than are tested one by one. */
         MANY,
         /** Thousands, of which a square may see more than it can keep. */
-        HEAP
+        HEAP,
+        /** Triangles of all shapes among other things. */
+        TRIANGLES,
+        /** Triangles with round corners, which share edges and planes with each other and the eye. */
+        TRIANGLE_GRID,
+        /** Closed meshes, in each other and around the eye, of glass too. */
+        MESHES,
+        /** Triangles smaller than pixels before a wall. */
+        SPLINTERS,
+        /** More triangles than are tested one by one. */
+        MANY_TRIANGLES,
+        /** A mesh of so many triangles that a square may see more than it can keep. */
+        FINE_MESH
     }
 
     private static final int MATERIALS = 3;
@@ -56,12 +70,19 @@ final class RandomViews {
             case ROOM -> room(surfaces);
             case MANY -> crowd(surfaces, 300, 0.02, 0.5);
             case HEAP -> crowd(surfaces, 3000, 0.01, 0.1);
+            case TRIANGLES -> triangles(surfaces, random.nextInt(1, 12), 4);
+            case TRIANGLE_GRID -> triangleGrid(surfaces);
+            case MESHES -> meshes(surfaces);
+            case SPLINTERS -> splinters(surfaces);
+            case MANY_TRIANGLES -> triangles(surfaces, 300, 0.5);
+            case FINE_MESH -> addAll(surfaces, Meshes.ball(vector(2), random.nextDouble(0.5, 3), 24, 1));
         }
-        boolean isRound = kind == Kind.GRID;
+        boolean isRound = kind == Kind.GRID || kind == Kind.TRIANGLE_GRID;
+        boolean isDust = kind == Kind.DUST || kind == Kind.SPLINTERS;
         Vector eye = isRound ? new Vector(random.nextInt(-4, 5), random.nextInt(-4, 5), random.nextInt(-4, 5))
-            : kind == Kind.DUST ? new Vector(0, 0, -10) : vector(kind == Kind.ROOM ? 1.8 : 4);
+            : isDust ? new Vector(0, 0, -10) : vector(kind == Kind.ROOM ? 1.8 : 4);
         Vector aim = isRound && random.nextBoolean() ? new Vector(eye.x(), eye.y(), eye.z() + 1)
-            : kind == Kind.DUST ? new Vector(0.1, 0.2, 5) : plus(eye, vector(1), 1);
+            : isDust ? new Vector(0.1, 0.2, 5) : plus(eye, vector(1), 1);
         Vector away = new Vector(far, far / 3, -far / 7);
         double[] distances = {1, 1, 0.3, 3, 30};
         Camera camera = new Camera(plus(eye, away, 1).times(scale), plus(aim, away, 1).times(scale),
@@ -185,6 +206,65 @@ final class RandomViews {
             double z = random.nextDouble(-1.5, 1.5);
             surfaces.add(i % 2 == 0 ? new Box(new Vector(x, edge / 2 - 2, z), edge, material())
                 : new Sphere(new Vector(x, edge / 2 - 2, z), edge / 2, material()));
+        }
+    }
+
+    /** So many surfaces, of which nine in ten are triangles; the size is that of most. */
+    private void triangles(List<Surface> surfaces, int count, double size) {
+        double[] sizes = {0.01, 0.3, 1, 1, 100};
+        crowd(surfaces, count / 10, 0.1, size);
+        for (int i = 0; i < count; i++) {
+            Vector a = vector(4);
+            double length = size * sizes[random.nextInt(count > 100 ? sizes.length - 1 : sizes.length)];
+            Vector b = plus(a, vector(length), 1);
+            Vector c = random.nextInt(4) > 0 ? plus(a, vector(length), 1)
+                : plus(plus(a, plus(b, a, -1), random.nextDouble()), vector(1e-7 * length), 1);
+            surfaces.add(Triangle.of(a, b, c, material()));
+        }
+    }
+
+    private Vector rounded(int size) {
+        return new Vector(random.nextInt(-size, size + 1), random.nextInt(-size, size + 1), random.nextInt(-size, size + 1));
+    }
+
+    /** Each with the other half of its parallelogram, or a twin. */
+    private void triangleGrid(List<Surface> surfaces) {
+        for (int i = random.nextInt(2, 9); i > 0; i--) {
+            Vector a = rounded(2);
+            Vector b = rounded(3);
+            Vector c = rounded(3);
+            if (!Triangle.areOnALine(a, b, c)) {
+                surfaces.add(Triangle.of(a, b, c, material()));
+                surfaces.add(random.nextInt(3) > 0 ? Triangle.of(c, b, plus(b, plus(c, a, -1), 1), material())
+                    : Triangle.of(b, a, c, material()));
+            }
+        }
+        grid(surfaces);
+    }
+
+    private void meshes(List<Surface> surfaces) {
+        addAll(surfaces, Meshes.hook(vector(2), random.nextDouble(0.3, 1.5), 1 + material()));
+        addAll(surfaces, Meshes.ball(vector(2), random.nextDouble(0.3, 2), random.nextInt(3, 7), 1 + material()));
+        addAll(surfaces, Meshes.box(vector(2), random.nextDouble(0.3, 3), 1 + material()));
+        addAll(surfaces, Meshes.box(new Vector(0, 0, 0), 12, 1));
+    }
+
+    private static void addAll(List<Surface> surfaces, String lines) {
+        for (String line : lines.split("\n")) {
+            double[] numbers = Arrays.stream(line.substring("trg ".length()).split(" ")).mapToDouble(Double::parseDouble)
+                .toArray();
+            surfaces.add(Triangle.of(new Vector(numbers[0], numbers[1], numbers[2]),
+                new Vector(numbers[3], numbers[4], numbers[5]), new Vector(numbers[6], numbers[7], numbers[8]),
+                (int) numbers[9] - 1));
+        }
+    }
+
+    private void splinters(List<Surface> surfaces) {
+        surfaces.add(new Plane(new Vector(0, 0, 1), 9, 0));
+        for (int i = 0; i < 300; i++) {
+            double size = 0.1 * Math.scalb(1, -random.nextInt(1, 12));
+            Vector a = vector(4);
+            surfaces.add(Triangle.of(a, plus(a, vector(size), 1), plus(a, vector(size), 1), material()));
         }
     }
 }

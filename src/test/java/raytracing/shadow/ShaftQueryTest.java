@@ -324,12 +324,24 @@ class ShaftQueryTest {
         assertSettled(1, scene);
     }
 
-    /** One before each wall of the shaft, one behind the light, one below the floor, and two in planes through the point. */
+    /**
+     * One before each wall of the shaft, two behind the light, one of which comes near it further out, one below the floor, one
+     * in its plane and near the point, and one in another plane through it.
+     */
     @Test
     void trianglesBesideTheLightSettleItWithoutALine() {
-        assertSettled(1, prepared("pln 0 1 0 0 1\ntrg 2 5 0 9 5 1 9 6 -1 1\ntrg -2 5 0 -9 5 1 -9 6 -1 1\n"
-            + "trg 0 5 2 1 5 9 -1 6 9 1\ntrg 0 5 -2 1 5 -9 -1 6 -9 1\ntrg -9 11 -9 9 11 -9 0 11 9 1\n"
-            + "trg -9 -1 -9 9 -1 -9 0 -1 9 1\ntrg 2 0 -9 2 0 9 9 0 0 1\ntrg 2 5 0 9 5 0 9 6 0 1", EnumSet.allOf(Shortcut.class)));
+        assertSettled(1, prepared("""
+            pln 0 1 0 0 1
+            trg 2 5 0 9 5 1 9 6 -1 1
+            trg -2 5 0 -9 5 1 -9 6 -1 1
+            trg 0 5 2 1 5 9 -1 6 9 1
+            trg 0 5 -2 1 5 -9 -1 6 -9 1
+            trg -9 11 -9 9 11 -9 0 11 9 1
+            trg -9 9 -9 -9 9 9 20 13.8 0 1
+            trg -9 -1 -9 9 -1 -9 0 -1 9 1
+            trg 3 0 -1 -1 0 3 5 0 5 1
+            trg 2 5 0 9 5 0 9 6 0 1
+            """, EnumSet.allOf(Shortcut.class)));
     }
 
     @Test
