@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracing.Meshes;
 import raytracing.SceneText;
 import raytracing.math.Vector;
 import raytracing.math.Vectors;
@@ -341,6 +342,36 @@ class ExactShadowsTest {
         }
         int questions = open;
         assertTrue(questions > 40, () -> "hardly a test: " + questions);
+    }
+
+    /**
+     * Two triangles with a common edge, bent outwards or inwards, from points on that edge: where light comes past it depends on
+     * the place from which it was seen.
+     */
+    @Test
+    void foldsSeenFromTheirEdgeHaveTheSharesThatRaysFind() {
+        SplittableRandom random = new SplittableRandom(4);
+        int open = 0;
+        for (int i = 0; i < 2000; i++) {
+            Vector a = randomVector(random, 2);
+            Vector b = randomVector(random, 2);
+            PreparedScene scene = Queries.prepared(SceneText.scene(HEAD + Meshes.triangle(a, b, randomVector(random, 5), 1)
+                + Meshes.triangle(a, b, randomVector(random, 5), 1)), ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT);
+            RayQuery walk = new RayQuery(scene);
+            Vector eye = randomVector(random, 6);
+            Queries.start(walk, new RayRecord(eye, Vectors.plus(a, random.nextDouble(), b.minus(a)).minus(eye)));
+            Vector light = randomVector(random, 8);
+            if (walk.advance() && light.minus(Queries.hit(walk).point()).dot(Queries.hit(walk).normal()) > 1e-9) {
+                open += assertAgreesWithRays(new ShadowQueries.Query(scene, Queries.hit(walk), light,
+                    random.nextDouble(1, 6), "fold " + a + b));
+            }
+        }
+        int questions = open;
+        assertTrue(questions > 200, () -> "hardly a test: " + questions);
+    }
+
+    private static Vector randomVector(SplittableRandom random, double size) {
+        return new Vector(random.nextDouble(-size, size), random.nextDouble(-size, size), random.nextDouble(-size, size));
     }
 
     private static int roundQuestions(String surfaces, SplittableRandom random) {
