@@ -11,6 +11,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * Takes a scene, camera and all, to another place in the world; its picture stays the same.
@@ -48,6 +49,9 @@ record Motion(UnaryOperator<Vector> turn, Vector shift) {
         if (surface instanceof Plane plane) {
             Vector normal = turn.apply(plane.normal());
             return new Plane(normal, plane.offset() + normal.dot(shift), plane.material());
+        }
+        if (surface instanceof Triangle triangle) {
+            return Triangle.of(moved(triangle.a()), moved(triangle.b()), moved(triangle.c()), triangle.material());
         }
         Box box = (Box) surface;
         return new Box(moved(box.centre()), box.edge(), box.material());

@@ -17,6 +17,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /**
  * The picture does not depend on the place of the scene: moved a million times its own size away from the world's origin,
@@ -65,6 +66,9 @@ class MovedSceneTest {
         }
         if (surface instanceof Plane plane) {
             return Math.abs(plane.offset()) / plane.normal().length();
+        }
+        if (surface instanceof Triangle triangle) {
+            return triangle.largestPart();
         }
         Box box = (Box) surface;
         return largestPart(box.centre()) + box.edge() / 2;

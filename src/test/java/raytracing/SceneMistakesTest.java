@@ -121,7 +121,7 @@ class SceneMistakesTest {
     void aSceneWithoutSurfacesIsNotWarnedOfTwice() throws Exception {
         Files.writeString(folder.resolve("scene.txt"), CAM + "set 0 0 0 1 1\n" + LGT);
         List<String> lines = draw("scene.txt").errors().lines().toList();
-        assertEquals("scene.txt: warning: no sph, pln or box: the picture shows nothing but the background", lines.get(0));
+        assertEquals("scene.txt: warning: no sph, pln, box or trg: the picture shows nothing but the background", lines.get(0));
         assertEquals(3, lines.size());
     }
 

@@ -12,6 +12,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /** The ranges that the format gives to a scene's numbers. */
 final class SceneRanges {
@@ -71,6 +72,10 @@ final class SceneRanges {
         } else if (surface instanceof Plane plane) {
             direction("normal", plane.normal());
             within("offset", plane.offset(), -LARGEST, LARGEST);
+        } else if (surface instanceof Triangle triangle) {
+            finite("first corner", triangle.a());
+            finite("second corner", triangle.b());
+            finite("third corner", triangle.c());
         }
     }
 

@@ -7,6 +7,7 @@ import raytracing.math.Vector;
 import raytracing.parallel.ForkJoin;
 import raytracing.parse.RayTracerException;
 import raytracing.parse.SceneParser;
+import raytracing.surface.Triangle;
 
 /** Writes the text of a {@link NastyScene}. */
 final class NastySceneWriter {
@@ -135,7 +136,7 @@ final class NastySceneWriter {
     private void writeSurfaces(int materials) {
         String last = "";
         boolean oneKind = numbers.oneIn(2);
-        int kind = numbers.below(3);
+        int kind = numbers.below(4);
         for (int i = 0; i < surfaces; i++) {
             int material = 1 + numbers.below(materials);
             if (i > 0 && numbers.oneIn(8)) {
@@ -143,7 +144,7 @@ final class NastySceneWriter {
                 continue;
             }
             int before = text.length();
-            writeSurface(oneKind ? kind : numbers.below(3), material);
+            writeSurface(oneKind ? kind : numbers.below(4), material);
             last = text.substring(before, text.lastIndexOf(" ") + 1);
         }
     }
@@ -155,11 +156,26 @@ final class NastySceneWriter {
             line("sph", place, numbers.length(), material);
         } else if (kind == 1) {
             line("box", place, numbers.length(), material);
+        } else if (kind == 2) {
+            writeTriangle(material);
         } else {
             Vector normal = numbers.direction();
             double offset = normal.dot(place);
             line("pln", normal, NastyNumbers.finite(Double.isNaN(offset) ? 0 : offset), material);
         }
+    }
+
+    /** Places may be on one line, or the same; others are tried then. */
+    private void writeTriangle(int material) {
+        Vector a;
+        Vector b;
+        Vector c;
+        do {
+            a = numbers.place();
+            b = numbers.place();
+            c = numbers.place();
+        } while (Triangle.areOnALine(a, b, c));
+        line("trg", a, b, c, material);
     }
 
     private void writeSettings(int lights) {

@@ -80,6 +80,7 @@ class RangeEndsTest {
         "sph -0.5 0.1 0.3 0.7 1,                                .sss+.,         1600",
         "pln 0.1 1 0.2 -1 2,                                    .ssss.,         2200",
         "box 0.6 0.1 0.2 0.8 1,                                 .sss+.,         1600",
+        "trg -0.9 -0.6 0.4 0.8 -0.5 -0.8 0.2 0.9 0.1 1,         .sssssssss.,   13000",
         "lgt 2 3 -4 1 0.9 0.8 0.8 0.9 0.5,                      .sss000010,     4600",
     })
     void everyPixelOfEveryLegalSceneIsLight(String line, String kinds, int leastDrawn) {

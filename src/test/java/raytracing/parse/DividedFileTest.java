@@ -22,6 +22,7 @@ class DividedFileTest {
         box 2.5 1e0 0 .5 2   # with a remark
         \u00a0pln\u00a00 1 0  0\u00a01
 
+        trg 0 0 0  1 0 0  0 1 0.5  2
         SPH 3 1 0  1.000000000000000000001 1
         """;
 
@@ -41,6 +42,7 @@ class DividedFileTest {
                 + SURFACES + MTL + "box 0 0 -5 1 1\n"),
             Map.entry("a material that nothing uses", CAM + SET + MTL + MTL + MTL + SURFACES),
             Map.entry("a mistake in a surface", CAM + SET + MTL + MTL + SURFACES + "sph 0 1 0 -1 1\n" + SURFACES),
+            Map.entry("corners on one line", CAM + SET + MTL + MTL + SURFACES + "trg 0 0 0 1 1 1 2 2 2 1\n" + SURFACES),
             Map.entry("mistakes in many lines", CAM + SET + MTL + (SURFACES + "sph 0 1 0 x 1\nbox 1\nsqh 1 2\n").repeat(9)),
             Map.entry("a material that no line has", CAM + SET + MTL + MTL + SURFACES + "pln 0 1 0 0 7\n" + SURFACES),
             Map.entry("a second camera", CAM + SET + MTL + MTL + SURFACES + CAM + SURFACES),

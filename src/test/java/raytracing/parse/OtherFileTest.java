@@ -83,7 +83,7 @@ class OtherFileTest {
     @Test
     void aSceneWithErrorsIsAScene() {
         assertEquals(List.of("a.txt:3: 1<U+0000>: unknown code (U+0000 NULL, leave it out), "
-            + "expected cam, set, mtl, sph, pln, box or lgt"), messages((SCENE + "1\0\r\n").getBytes(StandardCharsets.UTF_8)));
+            + "expected cam, set, mtl, sph, pln, box, trg or lgt"), messages((SCENE + "1\0\r\n").getBytes(StandardCharsets.UTF_8)));
         assertEquals(List.of("a.txt: set: missing, expected exactly one"),
             messages(("# \0 \u0089PNG\n" + SCENE.lines().findFirst().orElseThrow()).getBytes(StandardCharsets.UTF_8)));
     }
@@ -102,7 +102,7 @@ class OtherFileTest {
     @Test
     void elsewhereACtrlZIsNamed() {
         assertEquals(List.of("a.txt:3: <U+001A>: unknown code (U+001A SUBSTITUTE, leave it out), "
-            + "expected cam, set, mtl, sph, pln, box or lgt"),
+            + "expected cam, set, mtl, sph, pln, box, trg or lgt"),
             messages((SCENE + "\u001a\r\n# the end").getBytes(StandardCharsets.UTF_8)));
     }
 }

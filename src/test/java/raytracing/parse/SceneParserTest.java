@@ -33,6 +33,7 @@ import raytracing.scene.Settings;
 import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
+import raytracing.surface.Triangle;
 
 @Isolated("changes the locale")
 class SceneParserTest {
@@ -60,6 +61,7 @@ class SceneParserTest {
             sph  1 2 3   4  1
             pln  1 2 3   4  1
             box  1 2 3   4  1
+            trg  1 2 3   4 5 6   7 8 -9  1
             lgt  1 2 3   4 5 6   7  0.5  9
             """);
         assertEquals(new Camera(new Vector(1, 2, 3), new Vector(4, 5, 6), new Vector(0, 1, 0), 1.5, 2.5,
@@ -68,7 +70,7 @@ class SceneParserTest {
         assertEquals(List.of(new Material(new Color(1, 2, 3), new Color(4, 5, 6), new Color(7, 8, 9), 10, 0.5,
             new Color(0.1, 0.2, 0.3))), scene.materials());
         assertEquals(List.of(new Sphere(new Vector(1, 2, 3), 4, 0), new Plane(new Vector(1, 2, 3), 4, 0),
-            new Box(new Vector(1, 2, 3), 4, 0)), scene.surfaces());
+            new Box(new Vector(1, 2, 3), 4, 0), new Triangle(1, 2, 3, 4, 5, 6, 7, 8, -9, 0)), scene.surfaces());
         assertEquals(List.of(new Light(new Vector(1, 2, 3), new Color(4, 5, 6), 7, 0.5, 9)), scene.lights());
     }
 
@@ -122,7 +124,7 @@ class SceneParserTest {
     void everyLineEndIsALineEnd(String lineEnd) throws RayTracerException {
         assertEquals(parse(HEAD), parse(HEAD.replace("\n", lineEnd)));
         List<String> messages = messages(HEAD.replace("\n", lineEnd) + lineEnd + "xyz");
-        assertEquals("test.txt:5: xyz: unknown code, expected cam, set, mtl, sph, pln, box or lgt", messages.get(0));
+        assertEquals("test.txt:5: xyz: unknown code, expected cam, set, mtl, sph, pln, box, trg or lgt", messages.get(0));
     }
 
     @Test
@@ -184,7 +186,7 @@ class SceneParserTest {
         text.writeBytes(end.getBytes(StandardCharsets.UTF_8));
         String word = text.toString(StandardCharsets.UTF_8).substring(HEAD.length()).strip();
         assertEquals(List.of("test.txt:4: " + word + ": unknown code (bytes that are not UTF-8), "
-            + "expected cam, set, mtl, sph, pln, box or lgt"),
+            + "expected cam, set, mtl, sph, pln, box, trg or lgt"),
             assertThrows(RayTracerException.class,
                 () -> SceneParser.parse("test.txt", text.toByteArray(), ForkJoin.sequential())).messages());
     }
@@ -208,6 +210,31 @@ class SceneParserTest {
             parse(HEAD + "sph 0 0 0 4.9e-324 1\n").surfaces());
         assertEquals(List.of("test.txt:4: sph: radius must be above 0, got 1e-400"),
             messages(HEAD + "sph 0 0 0 1e-400 1\n"));
+    }
+
+    /** The last digit of a double decides, also where products of coordinates are no doubles any more. */
+    @ParameterizedTest
+    @ValueSource(strings = {"0 0 0 1 1 1 3 3 3.0000000000000004", "0 0 0 1e-300 1e-300 1e-300 3e-300 3e-300 3.0000000000000004e-300",
+        "-1e308 -1e308 -1e308 0 0 0 1e308 1e308 1.0000000000000002e308", "0 0 0 4.9e-324 0 0 0 4.9e-324 0"})
+    void cornersBarelyBesideALineAreThoseOfATriangle(String corners) throws RayTracerException {
+        assertEquals(1, parse(HEAD + "trg " + corners + " 1\n").surfaces().size());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0.1 0.1 0.1 0.3 0.3 0.3 0.7 0.7 0.7", "0 0 0 1e-300 1e-300 1e-300 3e-300 3e-300 3e-300",
+        "-1e308 -1e308 -1e308 0 0 0 1e308 1e308 1e308", "0 0 0 4.9e-324 0 0 1e-323 0 0", "1 2 3 1 2 3 1 2 3"})
+    void cornersOnALineAreRefusedAtAnyScale(String corners) {
+        List<String> messages = messages(HEAD + "trg " + corners + " 1\n");
+        assertEquals(1, messages.size());
+        assertTrue(messages.get(0).startsWith("test.txt:4: trg: corners must be three points that are not on one line, got "),
+            messages.get(0));
+    }
+
+    /** What replaces a wrong number may be on a line with the rest; that would be no mistake of the author. */
+    @Test
+    void ofCornersWithAWrongNumberOnlyThatIsSaid() {
+        assertEquals(List.of("test.txt:4: trg: second corner x must be a decimal number, got x"),
+            messages(HEAD + "trg 0 0 0 x 1 1 2 2 2 1\n"));
     }
 
     @Test
@@ -276,6 +303,15 @@ class SceneParserTest {
         "box 0 0 0 0 1             | box: edge must be above 0, got 0",
         "box 0 0 0 1 3             | box: material must be from 1 to 1, got 3",
         "box 0 0 0 1 1 1           | box: expected 5 values (centre 3, edge, material), got 6, first surplus value 1",
+        "trg 0 0 0 1 0 0 0 x 0 1   | trg: third corner y must be a decimal number, got x",
+        "trg 0 0 0 1 0 0 0 1 0 0   | trg: material must be a whole number from 1 on, got 0",
+        "trg 0 0 0 1 0 0 0 1 0 2   | trg: material must be from 1 to 1, got 2",
+        "trg 0 0 0 1 0 0 2 0 0 1   | trg: corners must be three points that are not on one line, got 0.0 0.0 0.0, 1.0 0.0 0.0 and 2.0 0.0 0.0",
+        "trg 1 2 3 1 2 3 4 5 7 1   | trg: corners must be three points that are not on one line, got 1.0 2.0 3.0, 1.0 2.0 3.0 and 4.0 5.0 7.0",
+        "trg 0 0 0 1 1             | trg: expected 10 values (corners 3 + 3 + 3, material), got 5",
+        "trg 0 0 0 1 0 0 0 1 0     | trg: expected 10 values (corners 3 + 3 + 3, material), got 9",
+        "trg 0 0 0 1 0 0 0 1 0 1 1 | trg: expected 10 values (corners 3 + 3 + 3, material), got 11, first surplus value 1",
+        "cyl 0 0 0 1 1             | cyl: cylinders are not supported, expected sph, pln, box or trg",
         "lgt 0 0 0 -1 1 1 1 1 1    | lgt: colour red must be at least 0, got -1",
         "lgt 0 0 0 1 1 -1e-9 1 1 1 | lgt: colour blue must be at least 0, got -1e-9",
         "lgt 0 0 0 1 1 1 -1 1 1    | lgt: specular intensity must be at least 0, got -1",
@@ -292,9 +328,8 @@ class SceneParserTest {
         "set 0 0 0 1 1             | set: one too many, the first is on line 2, expected exactly one",
         "cam 0 0 0 1 1 1 0 1 0 1 1 | cam: one too many, the first is on line 1, expected exactly one",
         "cam 0                     | cam: one too many, the first is on line 1, expected exactly one",
-        "sphere 0 0 0 1 1          | sphere: unknown code, expected cam, set, mtl, sph, pln, box or lgt, did you mean sph?",
-        "trg 0 0 0 1 1             | trg: triangles are not supported, expected sph, pln or box",
-        "= 1                       | =: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
+        "sphere 0 0 0 1 1          | sphere: unknown code, expected cam, set, mtl, sph, pln, box, trg or lgt, did you mean sph?",
+        "= 1                       | =: unknown code, expected cam, set, mtl, sph, pln, box, trg or lgt",
     })
     void aWrongLineIsNamedWithItsCure(String line, String expected) {
         assertEquals(List.of("test.txt:4: " + expected), messages(HEAD + line + "\n"));
@@ -358,7 +393,7 @@ class SceneParserTest {
             "test.txt:3: sph: material must be from 1 to 1, got 4",
             "test.txt:4: sph: centre x must be a decimal number, got a",
             "test.txt:4: sph: radius must be above 0, got -2",
-            "test.txt:6: hello: unknown code, expected cam, set, mtl, sph, pln, box or lgt",
+            "test.txt:6: hello: unknown code, expected cam, set, mtl, sph, pln, box, trg or lgt",
             "test.txt: set: missing, expected exactly one"),
             messages(CAM + "\nsph 0 0 0 1 4\nsph a 0 0 -2 1\n" + MTL + "hello\n"));
     }
@@ -416,12 +451,12 @@ class SceneParserTest {
     @CsvSource({"40, ''", "41, ..."})
     void fortyCharactersAreQuotedAndDotsStandForMore(int length, String dots) {
         assertEquals(List.of("test.txt:4: " + "x".repeat(40) + dots
-            + ": unknown code, expected cam, set, mtl, sph, pln, box or lgt"), messages(HEAD + "x".repeat(length) + "\n"));
+            + ": unknown code, expected cam, set, mtl, sph, pln, box, trg or lgt"), messages(HEAD + "x".repeat(length) + "\n"));
     }
 
     @Test
     void whatIsQuotedFromTheFileIsShortAndSafeToPrint() {
-        assertEquals("test.txt:4: <U+001B>[31m: unknown code (U+001B ESCAPE, leave it out), expected cam, set, mtl, sph, pln, box or lgt",
+        assertEquals("test.txt:4: <U+001B>[31m: unknown code (U+001B ESCAPE, leave it out), expected cam, set, mtl, sph, pln, box, trg or lgt",
             messages(HEAD + "\u001b[31m\n").get(0));
         String message = messages(HEAD + "sph 0 0 " + "7x".repeat(10_000) + " 1 1\n").get(0);
         assertTrue(message.length() < 120, message);

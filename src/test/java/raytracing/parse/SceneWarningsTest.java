@@ -20,7 +20,7 @@ class SceneWarningsTest {
     private static final String LGT = "lgt 9 9 -9  1 1 1  1 1 1\n";
     private static final String NO_LIGHT =
         "warning: no lgt: without a light, surfaces show only what they mirror or let through";
-    private static final String NO_SURFACE = "warning: no sph, pln or box: the picture shows nothing but the background";
+    private static final String NO_SURFACE = "warning: no sph, pln, box or trg: the picture shows nothing but the background";
     private static final String INSIDE = "the camera is inside, the material is opaque, and no lgt is inside";
 
     private static List<String> warnings(String... lines) {

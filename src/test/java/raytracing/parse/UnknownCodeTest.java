@@ -8,23 +8,23 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class UnknownCodeTest {
-    private static final String CODES = "expected cam, set, mtl, sph, pln, box or lgt";
+    private static final String CODES = "expected cam, set, mtl, sph, pln, box, trg or lgt";
 
     @ParameterizedTest
     @CsvSource({"cub, box", "cube, box", "CUBE, box", "sphere, sph", "shpere, sph", "spr, sph", "ball, sph", "plane, pln",
         "plain, pln", "pnl, pln", "light, lgt", "lihgt, lgt", "ligth, lgt", "lgth, lgt", "camera, cam", "cma, cam",
         "material, mtl", "materail, mtl", "mat, mtl", "mlt, mtl", "settings, set", "sett, set", "bxo, box", "boxes, box",
+        "tri, trg", "TRIANGLE, trg", "triangel, trg", "triangles, trg", "tgr, trg", "trgl, trg", "trg:, trg",
         "sph:, sph", "sph=1, sph", "sph1, sph", "sph-1, sph"})
     void aMisspeltCodeGetsTheNearest(String code, String meant) {
         assertEquals("unknown code, " + CODES + ", did you mean " + meant + "?", UnknownCode.message(code));
     }
 
     @ParameterizedTest
-    @CsvSource({"trg, triangles", "tri, triangles", "TRIANGLE, triangles", "triangel, triangles", "cyl, cylinders",
-        "cylinder, cylinders", "cilinder, cylinders", "elp, ellipsoids", "ellipsoid, ellipsoids", "cone, cones", "torus, tori",
-        "disk, discs", "rect, rectangles", "polygon, polygons", "obj, models from other files"})
+    @CsvSource({"cyl, cylinders", "cylinder, cylinders", "cilinder, cylinders", "elp, ellipsoids", "ellipsoid, ellipsoids",
+        "cone, cones", "torus, tori", "disk, discs", "rect, rectangles", "polygon, polygons", "obj, models from other files"})
     void aShapeThatIsNotSupportedIsNamed(String code, String shapes) {
-        assertEquals(shapes + " are not supported, expected sph, pln or box", UnknownCode.message(code));
+        assertEquals(shapes + " are not supported, expected sph, pln, box or trg", UnknownCode.message(code));
     }
 
     /** Also where a short name of a shape is near: "res" is no misspelt "rec". */

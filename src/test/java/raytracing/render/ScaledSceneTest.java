@@ -17,6 +17,7 @@ import raytracing.surface.Box;
 import raytracing.surface.Plane;
 import raytracing.surface.Sphere;
 import raytracing.surface.Surface;
+import raytracing.surface.Triangle;
 
 /** A law of scenes without a unit: multiplying every length by a power of two changes no bit of the film. */
 class ScaledSceneTest {
@@ -81,6 +82,10 @@ class ScaledSceneTest {
         }
         if (surface instanceof Plane plane) {
             return new Plane(plane.normal(), plane.offset() * scale, plane.material());
+        }
+        if (surface instanceof Triangle triangle) {
+            return Triangle.of(triangle.a().times(scale), triangle.b().times(scale), triangle.c().times(scale),
+                triangle.material());
         }
         Box box = (Box) surface;
         return new Box(box.centre().times(scale), box.edge() * scale, box.material());
