@@ -101,6 +101,42 @@ class ReadmeCommandsTest {
         assertTrue(Files.exists(folder.resolve("RayTracer.jsa")));
     }
 
+    /**
+     * Two cubes as modelling programs write them, the second with indices from the end: quads, a pentagon with a corner twice,
+     * numbers of normals and textures, line ends of Windows. They are drawn as boxes are.
+     */
+    @Test
+    void theCommandForAMeshMakesTrianglesOfAnObjFile() throws Exception {
+        Skipped.unless(Shell.has("awk"), "awk is not installed");
+        String corners = corners(-1.5, -0.75, 1.25) + corners(0.5, -0.5, 0);
+        Files.writeString(folder.resolve("model.obj"), ("# two cubes\nmtllib a.mtl\no cubes\n" + corners + "vn 0 0 1\nvt 0 0\n"
+            + "usemtl red\nf 1 2 4 3\nf 5/1/1 6/1/1 8/1/1 7/1/1\nf 1/1 2/1 6/1 5/1\nf 3//1 4//1 8//1 7//1\n"
+            + "f 1 3 7 5 5\nf 2 4 8 6\n"
+            + "f -8 -7 -5 -6\nf -4/-1 -3/-1 -1/-1 -2/-1\nf -8 -7 -3 -4\nf -6//1 -5//1 -1//1 -2//1\n"
+            + "f -8 -6 -2 -4\nf -7 -5 -1 -3 \n").replace("\n", "\r\n"));
+        run(block("mesh"));
+        String head = "cam 1 2 -6  0 0 0  0 1 0  1 0.8\nset 0.2 0.3 0.4  1 0\nmtl 0.9 0.5 0.2  0 0 0  0 0 0  1 0\n"
+            + "lgt -4 5 -6  1 1 1  1 1 0\nlgt 6 1 -3  0.2 0.3 0.5  1 1 0\npln 0 1 0 -1 1\n";
+        String mesh = Files.readString(folder.resolve("model.txt"));
+        assertEquals(24, mesh.lines().count());
+        Files.writeString(folder.resolve("mesh.txt"), head + mesh);
+        Files.writeString(folder.resolve("boxes.txt"), head + "box -1 -0.25 -1.75 1 1\nbox 1 0 -0.5 1 1\n");
+        run("for scene in mesh boxes; do \"$JAVA\" -jar \"$JAR\" $scene.txt $scene.png 200 200 --quiet; done");
+        PictureDifference difference = new PictureDifference(ImageIO.read(folder.resolve("mesh.png").toFile()),
+            ImageIO.read(folder.resolve("boxes.png").toFile()));
+        assertEquals(0, difference.shareOffByMoreThan(1), difference::toString);
+    }
+
+    /** The eight corners of a cube of edge 1. */
+    private static String corners(double x, double y, double z) {
+        StringBuilder lines = new StringBuilder();
+        for (int i = 0; i < 8; i++) {
+            lines.append("v ").append(x + (i & 1)).append(' ').append(y + (i >> 1 & 1)).append(' ').append(z + (i >> 2))
+                .append('\n');
+        }
+        return lines.toString();
+    }
+
     @Test
     void theComparisonPrintsWhatTheReadmeSays() throws Exception {
         linkJar();

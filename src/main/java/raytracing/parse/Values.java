@@ -91,7 +91,8 @@ final class Values {
         Vector b = vector("second corner");
         Vector c = vector("third corner");
         if (problemsFound == 0 && Triangle.areOnALine(a, b, c)) {
-            refuse("corners", "three points that are not on one line", shown(a) + ", " + shown(b) + " and " + shown(c));
+            problem(() -> "corners must be three points that are not on one line, got " + shown(a) + ", " + shown(b)
+                + " and " + shown(c));
         }
         return Triangle.of(a, b, c, materialIndex());
     }

@@ -214,7 +214,7 @@ class SceneParserTest {
 
     /** The last digit of a double decides, also where products of coordinates are no doubles any more. */
     @ParameterizedTest
-    @ValueSource(strings = {"0 0 0 1 1 1 3 3 3.0000000000000004", "0 0 0 1e-300 1e-300 1e-300 3e-300 3e-300 3.0000000000000004e-300",
+    @ValueSource(strings = {"0 0 0 1 1 1 3 3 3.0000000000000004", "0 0 0 1e-300 1e-300 1e-300 3e-300 3e-300 3.000000000000001e-300",
         "-1e308 -1e308 -1e308 0 0 0 1e308 1e308 1.0000000000000002e308", "0 0 0 4.9e-324 0 0 0 4.9e-324 0"})
     void cornersBarelyBesideALineAreThoseOfATriangle(String corners) throws RayTracerException {
         assertEquals(1, parse(HEAD + "trg " + corners + " 1\n").surfaces().size());
@@ -308,6 +308,7 @@ class SceneParserTest {
         "trg 0 0 0 1 0 0 0 1 0 2   | trg: material must be from 1 to 1, got 2",
         "trg 0 0 0 1 0 0 2 0 0 1   | trg: corners must be three points that are not on one line, got 0.0 0.0 0.0, 1.0 0.0 0.0 and 2.0 0.0 0.0",
         "trg 1 2 3 1 2 3 4 5 7 1   | trg: corners must be three points that are not on one line, got 1.0 2.0 3.0, 1.0 2.0 3.0 and 4.0 5.0 7.0",
+        "trg 1.111111 2.111111 3.111111 1.111111 2.111111 3.111111 4 5 7 1 | trg: corners must be three points that are not on one line, got 1.111111 2.111111 3.111111, 1.111111 2.111111 3.111111 and 4.0 5.0 7.0",
         "trg 0 0 0 1 1             | trg: expected 10 values (corners 3 + 3 + 3, material), got 5",
         "trg 0 0 0 1 0 0 0 1 0     | trg: expected 10 values (corners 3 + 3 + 3, material), got 9",
         "trg 0 0 0 1 0 0 0 1 0 1 1 | trg: expected 10 values (corners 3 + 3 + 3, material), got 11, first surplus value 1",
