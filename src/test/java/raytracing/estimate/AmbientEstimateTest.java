@@ -128,6 +128,22 @@ class AmbientEstimateTest {
         assertTrue(varying < none / 10, none + ", " + varying);
     }
 
+    /** The room of triangles against the truth of the room of planes, within the bounds above. */
+    @Test
+    void aRoomOfTrianglesHasTheAmbientLightOfARoomOfPlanes() {
+        Scene white = AmbientScenes.withWhiteAmbient(AmbientScenes.closedOfTriangles());
+        double[] truth = truth("white closed", AmbientScenes.withWhiteAmbient(AmbientScenes.closed()), 1).mean();
+        Renderer whiteRenderer = Renderers.of(white, SMALL);
+        double[] mean = AmbientPart.drawn(whiteRenderer, AmbientLight.even(whiteRenderer.ambientLight().mean())).mean();
+        for (int channel = 0; channel < truth.length; channel++) {
+            assertEquals(1, mean[channel] / truth[channel], MOST_ERROR_OF_MEAN, "channel " + channel);
+        }
+        Renderer renderer = Renderers.of(AmbientScenes.closedOfTriangles(), SMALL);
+        double none = error("closed", AmbientScenes.closed(), renderer, AmbientLight.even(Color.BLACK));
+        double varying = error("closed", AmbientScenes.closed(), renderer, renderer.ambientLight());
+        assertTrue(varying < none / 10, none + ", " + varying);
+    }
+
     private static double error(String name, Scene scene, Renderer renderer, AmbientLight light) {
         return AmbientPart.drawn(renderer, light).errorAgainst(truth(name, scene, 1), truth(name, scene, 2));
     }

@@ -49,10 +49,24 @@ public final class AmbientScenes {
 
     /** A closed room of six colours with two balls in it, lit from the middle. */
     public static Scene closed() {
+        return closed("pln 0 1 0 -1 1", "pln 0 1 0 1 2", "pln 1 0 0 -1.2 3", "pln 1 0 0 1.1 4", "pln 0 0 1 1 5",
+            "pln 0 0 1 -3 5");
+    }
+
+    /** The same room, each of its walls of two triangles. */
+    public static Scene closedOfTriangles() {
+        return closed("trg -1.2 -1 -3 1.1 -1 -3 1.1 -1 1 1", "trg -1.2 -1 -3 1.1 -1 1 -1.2 -1 1 1",
+            "trg -1.2 1 -3 1.1 1 1 1.1 1 -3 2", "trg -1.2 1 -3 1.1 1 1 -1.2 1 1 2",
+            "trg -1.2 -1 -3 -1.2 -1 1 -1.2 1 1 3", "trg -1.2 -1 -3 -1.2 1 1 -1.2 1 -3 3",
+            "trg 1.1 -1 -3 1.1 -1 1 1.1 1 -3 4", "trg 1.1 1 1 1.1 -1 1 1.1 1 -3 4",
+            "trg -1.2 -1 1 1.1 -1 1 1.1 1 1 5", "trg -1.2 -1 1 -1.2 1 1 1.1 1 1 5",
+            "trg -1.2 -1 -3 1.1 -1 -3 -1.2 1 -3 5", "trg 1.1 1 -3 1.1 -1 -3 -1.2 1 -3 5");
+    }
+
+    private static Scene closed(String... walls) {
         return SceneText.scene("cam 0 0 -2.7  0.05 0 0  0 1 0  1 1", "set 0 0 0  1 5",
             matt("0.8 0.5 0.4"), matt("0.5 0.75 0.4"), matt("0.4 0.5 0.8"), matt("0.6 0.4 0.8"), matt("0.7 0.7 0.7"),
-            matt("0.2 0.2 0.2"), "pln 0 1 0 -1 1", "pln 0 1 0 1 2", "pln 1 0 0 -1.2 3", "pln 1 0 0 1.1 4", "pln 0 0 1 1 5",
-            "pln 0 0 1 -3 5", "sph 0.5 -0.7 0 0.3 6", "sph -0.3 -0.5 0.3 0.2 1", "lgt 0 0.1 -0.5  0.5 0.5 0.5  1 1 0");
+            matt("0.2 0.2 0.2"), String.join("\n", walls), "sph 0.5 -0.7 0 0.3 6", "sph -0.3 -0.5 0.3 0.2 1", "lgt 0 0.1 -0.5  0.5 0.5 0.5  1 1 0");
     }
 
     /**

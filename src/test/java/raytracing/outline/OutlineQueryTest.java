@@ -98,7 +98,7 @@ class OutlineQueryTest {
                 }
             }
         }
-        assertTrue(pairs > (isCrowded(kind) ? 30_000 : 150_000), pairs + " pairs");
+        assertTrue(pairs > (isCrowded(kind) ? 30_000 : 140_000), pairs + " pairs");
     }
 
     private static void assertOneList(Picture picture, int x, int y, SplittableRandom random) {

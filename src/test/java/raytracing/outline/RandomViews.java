@@ -79,7 +79,8 @@ final class RandomViews {
         }
         boolean isRound = kind == Kind.GRID || kind == Kind.TRIANGLE_GRID;
         boolean isDust = kind == Kind.DUST || kind == Kind.SPLINTERS;
-        Vector eye = isRound ? new Vector(random.nextInt(-4, 5), random.nextInt(-4, 5), random.nextInt(-4, 5))
+        Vector eye = kind == Kind.TRIANGLE_GRID && random.nextInt(3) == 0 ? onTriangle((Triangle) surfaces.get(0))
+            : isRound ? new Vector(random.nextInt(-4, 5), random.nextInt(-4, 5), random.nextInt(-4, 5))
             : isDust ? new Vector(0, 0, -10) : vector(kind == Kind.ROOM ? 1.8 : 4);
         Vector aim = isRound && random.nextBoolean() ? new Vector(eye.x(), eye.y(), eye.z() + 1)
             : isDust ? new Vector(0.1, 0.2, 5) : plus(eye, vector(1), 1);
@@ -229,6 +230,7 @@ final class RandomViews {
 
     /** Each with the other half of its parallelogram, or a twin. */
     private void triangleGrid(List<Surface> surfaces) {
+        surfaces.add(Triangle.of(new Vector(3, 1, -2), new Vector(-3, random.nextInt(-1, 4), 2), rounded(1), material()));
         for (int i = random.nextInt(2, 9); i > 0; i--) {
             Vector a = rounded(2);
             Vector b = rounded(3);
@@ -240,6 +242,12 @@ final class RandomViews {
             }
         }
         grid(surfaces);
+    }
+
+    /** A place within it or on its edge, exactly. */
+    private Vector onTriangle(Triangle triangle) {
+        Vector onEdge = plus(triangle.a().times(0.5), triangle.b(), 0.5);
+        return random.nextBoolean() ? onEdge : plus(onEdge.times(0.5), triangle.c(), 0.5);
     }
 
     private void meshes(List<Surface> surfaces) {

@@ -16,6 +16,7 @@ import raytracing.Meshes;
 import raytracing.SceneText;
 import raytracing.math.Vector;
 import raytracing.math.Vectors;
+import raytracing.surface.Hit;
 import raytracing.surface.HitRecord;
 import raytracing.surface.PointError;
 import raytracing.surface.RayRecord;
@@ -335,8 +336,7 @@ class ExactShadowsTest {
                     Vectors.plus(onEdge, random.nextDouble(-1, 1) * aside, new Vector(1, 1, 1)).minus(eye)));
                 Vector light = roundVector(random, 4);
                 if (walk.advance() && light.minus(Queries.hit(walk).point()).dot(Queries.hit(walk).normal()) > 1e-9) {
-                    open += assertAgreesWithRays(new ShadowQueries.Query(scene, Queries.hit(walk), light,
-                        random.nextInt(1, 5), surfaces));
+                    open += assertAgreesWithRays(scene, walk.hit(), light, random.nextInt(1, 5));
                 }
             }
         }
@@ -362,8 +362,7 @@ class ExactShadowsTest {
             Queries.start(walk, new RayRecord(eye, Vectors.plus(a, random.nextDouble(), b.minus(a)).minus(eye)));
             Vector light = randomVector(random, 8);
             if (walk.advance() && light.minus(Queries.hit(walk).point()).dot(Queries.hit(walk).normal()) > 1e-9) {
-                open += assertAgreesWithRays(new ShadowQueries.Query(scene, Queries.hit(walk), light,
-                    random.nextDouble(1, 6), "fold " + a + b));
+                open += assertAgreesWithRays(scene, walk.hit(), light, random.nextDouble(1, 6));
             }
         }
         int questions = open;
@@ -399,6 +398,20 @@ class ExactShadowsTest {
             return 0;
         }
         assertEquals(shaft.sumOverCells(30, 1) / 900, query.exact(), 0.06, () -> query.toString());
+        return 1;
+    }
+
+    /** The same for a hit that knows from where it was seen. */
+    private static int assertAgreesWithRays(PreparedScene scene, Hit hit, Vector light, double width) {
+        ShaftQuery lines = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
+        lines.aim(hit, 0, light.x(), light.y(), light.z(), PointError.written(light), width);
+        ShaftQuery areas = new ShaftQuery(scene, ShaftQuery.Use.AREAS, 1);
+        areas.aim(hit, 0, light.x(), light.y(), light.z(), PointError.written(light), width);
+        if (lines.isSettled()) {
+            return 0;
+        }
+        assertEquals(lines.sumOverCells(30, 1) / 900, new ExactShadows(scene, 1).meanTransmittance(areas, 1), 0.06,
+            () -> HitRecord.of(hit, 0) + " to " + light + ", width " + width);
         return 1;
     }
 
