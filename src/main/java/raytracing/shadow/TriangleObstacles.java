@@ -96,6 +96,9 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
     private final Triangle[] triangles;
     private final TriangleObstacle sorted = new TriangleObstacle();
 
+    /** How far the gap of the triangle looked at last may be off. */
+    private double gapError;
+
     TriangleObstacles(Shaft shaft, PreparedScene scene) {
         super(shaft, scene, scene.triangles(), new TriangleObstacle[0]);
         triangles = scene.triangles().triangles();
@@ -147,7 +150,6 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
         TriangleObstacle seen = sorted;
         double gap = look(triangle, seen);
         double half = shaft.halfWidth;
-        double gapError = seen.doubtBeyond - 3 * seen.doubt;
         double error = seen.doubt;
         if (!(Math.abs(gap) > gapError)) {
             if (!isPassedOnBothSides(seen, half)) {
@@ -201,7 +203,8 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
             Math.max(Vector.largestPart(bx, by, bz), Vector.largestPart(cx, cy, cz)));
         double end = 2 * (shaft.depth + 2 * shaft.halfWidth);      // above the sum of the sizes of a line's coordinates
         seen.doubt = m * ((Shaft.ROUNDING * m + 8 * shaft.margin) * end + 8 * m * shaft.margin);
-        seen.doubtBeyond = 3 * seen.doubt + m * m * (3 * Shaft.ROUNDING * m + 96 * shaft.margin);
+        gapError = m * m * (3 * Shaft.ROUNDING * m + 96 * shaft.margin);
+        seen.doubtBeyond = 3 * seen.doubt + gapError;
         return gap;
     }
 
@@ -235,29 +238,34 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
     /** Of a hit very near to the plane, exact numbers tell the side, and which edges it is on. */
     @Override
     void addShadow(TriangleObstacle obstacle, double passing, ConvexShadows shadows) {
-        int touched = obstacle.sign != 0 ? Triangle.NOT_TOUCHED : obstacle.triangle.touchedEdges(shaft.hit.origin());
-        int sign = obstacle.sign != 0 ? obstacle.sign : -obstacle.triangle.side(shaft.hit.origin(), obstacle.number);
-        if (sign == 0) {
+        if (obstacle.sign != 0) {
+            shadows.beginFigure(passing, 1);
+            addLine(obstacle.beyond, 1, shadows);
+            addEdges(obstacle, 1, shadows);
             return;
         }
-        if (obstacle.sign == 0) {
-            look(obstacle.triangle, obstacle);
-        }
-        int turn = obstacle.sign != 0 ? 1 : sign;
-        shadows.beginFigure(passing, 1);
-        addLine(obstacle.beyond, turn, shadows);
-        if (touched == Triangle.NOT_TOUCHED) {
-            addLine(obstacle.ab, turn, shadows);
-            addLine(obstacle.bc, turn, shadows);
-            addLine(obstacle.ca, turn, shadows);
-        } else {
-            addTouchedEdges(obstacle, touched, sign, shadows);
+        int sign = -obstacle.triangle.side(shaft.hit.origin(), obstacle.number);
+        if (sign != 0) {
+            int touched = obstacle.triangle.touchedEdges(shaft.hit.origin());
+            look(obstacle.triangle, sorted);
+            shadows.beginFigure(passing, 1);
+            addLine(sorted.beyond, sign, shadows);
+            if (touched == Triangle.NOT_TOUCHED) {
+                addEdges(sorted, sign, shadows);
+            } else {
+                addTouchedEdges(obstacle.triangle, touched, sign, shadows);
+            }
         }
     }
 
+    private static void addEdges(TriangleObstacle seen, int turn, ConvexShadows shadows) {
+        addLine(seen.ab, turn, shadows);
+        addLine(seen.bc, turn, shadows);
+        addLine(seen.ca, turn, shadows);
+    }
+
     /** Of an edge that the hit is on, the line as seen from where the hit was seen; the others are passed on the inner side. */
-    private void addTouchedEdges(TriangleObstacle obstacle, int touched, int sign, ConvexShadows shadows) {
-        Triangle triangle = obstacle.triangle;
+    private void addTouchedEdges(Triangle triangle, int touched, int sign, ConvexShadows shadows) {
         Vector eye = shaft.hit.origin().seenFrom();
         addEdge(touched & AB, triangle.a().minus(eye), triangle.b().minus(eye), eye, sign, shadows);
         addEdge(touched & BC, triangle.b().minus(eye), triangle.c().minus(eye), eye, sign, shadows);
