@@ -73,7 +73,8 @@ public final class OutlineQuery {
     private final ConeTraversal traversal = new ConeTraversal();
     private final Sight sight = new Sight();
 
-    /** For each size of squares, the surfaces that the square around may see; numbered planes first, then spheres, boxes, triangles. */
+    /** For each size of squares, the surfaces that the square around may see; numbered planes first, then spheres,
+        boxes and triangles. */
     private final int[][] seen = new int[DIVISIONS + 1][];
     private final int[] seenCounts = new int[DIVISIONS + 1];
 
@@ -210,7 +211,8 @@ public final class OutlineQuery {
      *
      * @return 1 if all rays see the same; otherwise at least {@value SmallBodies#FEWEST}, and at most
      *         {@value SmallBodies#MOST}: so many that one in a (0, 2)-net of them, in this pixel or the next, hits the ball
-     *         inscribed in each small body that may be seen in part
+     *         inscribed in each small body that may be seen in part; of a triangle, a ball as wide as the disc in it, which may
+     *         be missed if it is seen from aside
      */
     public int raysNeeded(int x, int y) {
         return answers[BLOCK * (y - top) + (x - left)];

@@ -188,7 +188,7 @@ final class ShaftQuery {
             spheres.sort(nearby[place].spheres, certain);
             boxes.sort(nearby[place].boxes, certain);
             triangles.sort(nearby[place].triangles, certain);
-            isSorted = true;
+            isSorted = certain.isDark() || spheres.count + boxes.count + triangles.count <= use.mostObstacles;
         } else {
             sortAll();
         }

@@ -9,8 +9,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import raytracing.Meshes;
+import raytracing.SceneText;
 import raytracing.Steps;
 import raytracing.ambient.AmbientLight;
+import raytracing.math.Vector;
 import raytracing.parallel.ForkJoin;
 import raytracing.scene.CameraRays;
 import raytracing.scene.Scene;
@@ -42,6 +45,25 @@ class ShortcutPicturesTest {
     @Test
     void theNestIsTheSameWithoutShortcuts() {
         assertSamePictures(Nest.scene(), NONE, 24);
+    }
+
+    /** Meshes on a floor of triangles, one of glass, one of a mirror and one so fine that it has a hierarchy and a crowd. */
+    @ParameterizedTest
+    @EnumSource(Shortcut.class)
+    void meshesAreTheSameWithoutEachShortcut(Shortcut shortcut) {
+        Scene scene = SceneText.scene("""
+            cam 0.3 2.5 -6  0.2 0.7 0  0 1 0  1 1
+            set 0.3 0.5 0.8  4 4
+            mtl 0.7 0.7 0.6  0 0 0  0 0 0  1 0
+            mtl 0.3 0.5 0.3  0.4 0.4 0.4  0.1 0.1 0.1  20 0.6
+            mtl 0.1 0.1 0.2  0.5 0.5 0.5  0.7 0.7 0.7  50 0
+            trg -9 0 -9 9 0 -9 9 0 9  1
+            trg -9 0 -9 9 0 9 -9 0 9  1
+            lgt 4 6 -4  0.8 0.8 0.7  1 1 2
+            lgt -5 3 -3  0.3 0.3 0.4  1 0.8 0.5
+            """, Meshes.ball(new Vector(-1, 0.9, 0.5), 0.8, 20, 1), Meshes.hook(new Vector(1.2, 0.7, 0.8), 0.7, 3),
+            Meshes.box(new Vector(0.3, 0.4, -1), 0.8, 2));
+        assertSamePictures(scene, EnumSet.complementOf(EnumSet.of(shortcut)), SIZE);
     }
 
     private static void assertSamePictures(Scene scene, Set<Shortcut> some, int size) {
