@@ -75,6 +75,45 @@ class ErrorLimitTest {
         }
     }
 
+    /** The same wall of two triangles, whose common edge is not seen. */
+    @ParameterizedTest(name = "{0} of the pixel, {1} steps")
+    @CsvSource({"0.5, 1", "0.03, 1", "0.3, 0.25", "0.62, 8"})
+    void theEdgeOfATriangleCoversItsPixelsToTheLimit(double share, double steps) {
+        int size = 10;
+        double edge = -1 + (7 + share) * 2 / size;
+        Scene scene = SceneText.scene(EYE, "set 0.9 0.9 0.9 1 1", BLACK,
+            "trg -9 -9 1  " + edge + " -9 1  " + edge + " 9 1  1", "trg -9 -9 1  " + edge + " 9 1  -9 9 1  1");
+        Film film = film(scene, size, steps);
+        for (int y = 0; y < size; y++) {
+            for (int x = 0; x < 7; x++) {
+                assertEquals(0, film.get(x, y).green());
+            }
+            assertEquals(0.9 * (1 - share), film.get(7, y).green(), 2 * steps * STEP);
+            assertEquals(0.9, film.get(8, y).green(), 1e-12);
+        }
+    }
+
+    /** A triangle as large as a twentieth of a pixel, that no first ray meets: half of a square, face on. */
+    @ParameterizedTest(name = "at {0}, {1} of a pixel")
+    @CsvSource({"0.2, 0.3", "0.7, 0.9", "0.4, 0.6", "0.25, 0.75"})
+    void aTinyTriangleThatNoFirstRayMeetsIsSeen(double right, double down) {
+        int size = 10;
+        double pixel = 2.0 / size;
+        double edge = 0.1 * pixel;
+        double x = -1 + (4 + right) * pixel;
+        double y = 1 - (5 + down) * pixel;
+        Scene scene = SceneText.scene(EYE, "set 1 1 1 1 1", BLACK, "trg " + x + " " + y + " 1  " + (x + edge) + " " + y + " 1  "
+            + x + " " + (y + edge) + " 1  1");
+        Film film = film(scene, size, 1);
+        double dark = 0;
+        for (int row = 4; row < 8; row++) {
+            for (int column = 3; column < 7; column++) {
+                dark += 1 - film.get(column, row).green();
+            }
+        }
+        assertEquals(0.1 * 0.1 / 2, dark, 1.0 * STEP);
+    }
+
     /** Each ray's light is cut off at white: half of the pixel is sky, 50 times as bright, and the pixel is half white. */
     @Test
     void lightIsCutOffAtWhiteBeforeTheMean() {

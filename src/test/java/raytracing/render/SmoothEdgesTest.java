@@ -73,6 +73,23 @@ class SmoothEdgesTest {
         }
     }
 
+    /** The same wall of two triangles, whose common edge is not seen. */
+    @ParameterizedTest(name = "N = {0}, {1} of the pixel")
+    @CsvSource({"2, 0.3", "3, 0.1", "4, 0.5", "8, 0.61"})
+    void theEdgeOfATriangleDoesToo(int root, double share) {
+        double edge = -1 + (7 + share) * 2 / SIZE;
+        Scene scene = SceneText.scene(EYE, "set 0.5 0.5 0.5 1 1", BLACK,
+            "trg -9 -9 1  " + edge + " -9 1  " + edge + " 9 1  1", "trg -9 -9 1  " + edge + " 9 1  -9 9 1  1");
+        Film film = smooth(scene, SIZE, root).film();
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < 7; x++) {
+                assertEquals(0, film.get(x, y).green());
+            }
+            assertEquals(0.5 * (1 - share), film.get(7, y).green(), 0.5 / (2 * root * root) + ROUNDING);
+            assertEquals(0.5, film.get(8, y).green());
+        }
+    }
+
     /** The sky is 50 times as bright as white, and the pixel still 0.7: a mean of 50 and 0 would be white. */
     @Test
     void lightIsCutOffAtWhiteBeforeTheMean() {

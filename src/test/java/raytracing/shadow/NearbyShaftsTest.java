@@ -222,6 +222,22 @@ class NearbyShaftsTest {
         assertTrue(leastShare < 0.69 * ROOT * ROOT, () -> leastShare + " lines");
     }
 
+    /** 45 of each kind, too few for hierarchies, and together more than exact shadows take on. */
+    @Test
+    void aCrowdIsTooMuchForTheSecondPointAsForTheFirst() {
+        StringBuilder lines = new StringBuilder("pln 0 1 0 0 1\n");
+        for (int i = 0; i < 45; i++) {
+            String place = (i % 9 - 4) / 20.0 + " 5 " + (i / 9 - 2) / 10.0;
+            lines.append("sph ").append(place).append(" 0.01 1\nbox ").append(place).append(" 0.015 1\ntrg ").append(place)
+                .append(" 0.01 5.1 0.007 0.33 5 0.21 1\n");
+        }
+        ShaftQuery query = new ShaftQuery(prepared(lines.toString()), ShaftQuery.Use.AREAS, 1);
+        for (int i = 0; i < 3; i++) {
+            query.aim(floorPoint(0.01 * i, 0), 0, 0, 10, 0, 0x1p-48, 2);
+            assertFalse(query.isSorted());
+        }
+    }
+
     @Test
     void aFarPointAnotherSurfaceAndALargerErrorAreNotNear() {
         NearbyShafts shafts = new NearbyShafts();
