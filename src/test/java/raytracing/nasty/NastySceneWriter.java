@@ -25,6 +25,12 @@ final class NastySceneWriter {
     /** Of 4096 that a pixel's rays may meet, for each of 64 reflections. */
     private static final double SURFACES_MET_IN_A_HALL = 64;
 
+    /**
+     * A test against a triangle takes as long as this many against another surface where lengths are not ordinary: then mostly
+     * exact numbers decide, of hundreds of bits.
+     */
+    private static final int TRIANGLE = 40;
+
     private static final int[] ROOTS = {1, 1, 2, 3, 4, 5, 8, 16, 64, 256, 1024};
     private static final int[] RECURSIONS = {0, 1, 2, 5, 10, 100, 1000};
     private static final double[] EXPONENTS = {0, 1, 0.5, 10, 1.5, 100, 4096, 4097, 1e10, 1e300, 1e-300, 2.5};
@@ -136,7 +142,8 @@ final class NastySceneWriter {
     private void writeSurfaces(int materials) {
         String last = "";
         boolean oneKind = numbers.oneIn(2);
-        int kind = numbers.below(4);
+        int kinds = splits && !numbers.isOrdinary() ? 3 : 4;      // a hall of triangles would ask each a million times
+        int kind = numbers.below(kinds);
         for (int i = 0; i < surfaces; i++) {
             int material = 1 + numbers.below(materials);
             if (i > 0 && numbers.oneIn(8)) {
@@ -144,7 +151,7 @@ final class NastySceneWriter {
                 continue;
             }
             int before = text.length();
-            writeSurface(oneKind ? kind : numbers.below(4), material);
+            writeSurface(oneKind ? kind : numbers.below(kinds), material);
             last = text.substring(before, text.lastIndexOf(" ") + 1);
         }
     }
@@ -178,12 +185,17 @@ final class NastySceneWriter {
         line("trg", a, b, c, material);
     }
 
+    private int triangles() {
+        return (int) text.toString().lines().filter(line -> line.startsWith("trg")).count();
+    }
+
     private void writeSettings(int lights) {
         int recursion = RECURSIONS[numbers.below(RECURSIONS.length)];
         double met = (splits ? SURFACES_MET_IN_A_HALL : 1) * (mirrors ? 1 + Math.min(64, recursion) : 1);
         double most = numbers.isOrdinary() ? MOST_ORDINARY_QUESTIONS : MOST_QUESTIONS;
+        int asked = numbers.isOrdinary() ? surfaces : surfaces + (TRIANGLE - 1) * triangles();
         int wanted = numbers.below(ROOTS.length);
-        while (wanted > 0 && PIXELS * met * lights * surfaces * ROOTS[wanted] * ROOTS[wanted] > most) {
+        while (wanted > 0 && PIXELS * met * lights * asked * ROOTS[wanted] * ROOTS[wanted] > most) {
             wanted--;
         }
         List<Object> values = new ArrayList<>(List.of(numbers.color(), ROOTS[wanted], recursion));
