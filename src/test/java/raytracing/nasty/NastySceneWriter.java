@@ -27,9 +27,9 @@ final class NastySceneWriter {
 
     /**
      * A test against a triangle takes as long as this many against another surface where lengths are not ordinary: then mostly
-     * exact numbers decide, of hundreds of bits.
+     * exact numbers of thousands of bits decide.
      */
-    private static final int TRIANGLE = 40;
+    private static final int TRIANGLE = 400;
 
     private static final int[] ROOTS = {1, 1, 2, 3, 4, 5, 8, 16, 64, 256, 1024};
     private static final int[] RECURSIONS = {0, 1, 2, 5, 10, 100, 1000};
@@ -142,7 +142,8 @@ final class NastySceneWriter {
     private void writeSurfaces(int materials) {
         String last = "";
         boolean oneKind = numbers.oneIn(2);
-        int kinds = splits && !numbers.isOrdinary() ? 3 : 4;      // a hall of triangles would ask each a million times
+        boolean areTrianglesQuick = numbers.isOrdinary() || !splits && !isAmbient;  // else each is asked a million times
+        int kinds = areTrianglesQuick ? 4 : 3;
         int kind = numbers.below(kinds);
         for (int i = 0; i < surfaces; i++) {
             int material = 1 + numbers.below(materials);
@@ -163,7 +164,7 @@ final class NastySceneWriter {
             line("sph", place, numbers.length(), material);
         } else if (kind == 1) {
             line("box", place, numbers.length(), material);
-        } else if (kind == 2) {
+        } else if (kind == 3) {
             writeTriangle(material);
         } else {
             Vector normal = numbers.direction();
@@ -193,7 +194,7 @@ final class NastySceneWriter {
         int recursion = RECURSIONS[numbers.below(RECURSIONS.length)];
         double met = (splits ? SURFACES_MET_IN_A_HALL : 1) * (mirrors ? 1 + Math.min(64, recursion) : 1);
         double most = numbers.isOrdinary() ? MOST_ORDINARY_QUESTIONS : MOST_QUESTIONS;
-        int asked = numbers.isOrdinary() ? surfaces : surfaces + (TRIANGLE - 1) * triangles();
+        double asked = numbers.isOrdinary() ? surfaces : surfaces + TRIANGLE * triangles() * (isGlassy ? surfaces : 1.0);
         int wanted = numbers.below(ROOTS.length);
         while (wanted > 0 && PIXELS * met * lights * asked * ROOTS[wanted] * ROOTS[wanted] > most) {
             wanted--;
