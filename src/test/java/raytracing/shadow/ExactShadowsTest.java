@@ -352,7 +352,7 @@ class ExactShadowsTest {
     void foldsSeenFromTheirEdgeHaveTheSharesThatRaysFind() {
         SplittableRandom random = new SplittableRandom(4);
         int open = 0;
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < 500; i++) {
             Vector a = randomVector(random, 2);
             Vector b = randomVector(random, 2);
             PreparedScene scene = Queries.prepared(SceneText.scene(HEAD + Meshes.triangle(a, b, randomVector(random, 5), 1)
@@ -366,7 +366,7 @@ class ExactShadowsTest {
             }
         }
         int questions = open;
-        assertTrue(questions > 200, () -> "hardly a test: " + questions);
+        assertTrue(questions > 50, () -> "hardly a test: " + questions);
     }
 
     private static Vector randomVector(SplittableRandom random, double size) {
