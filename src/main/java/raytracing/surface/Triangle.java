@@ -288,7 +288,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
         double m = largest(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
         double error = gapError(m, segment.endError);
-        boolean isClear = error > SMALL && error < LARGE && m * m > SMALL && Math.abs(gap) > error;
+        boolean isClear = isInRange(error) && Math.abs(gap) > error;
         return isClear ? (gap < 0 ? 1 : -1) : ExactTriangle.of(this).endSide(segment);
     }
 

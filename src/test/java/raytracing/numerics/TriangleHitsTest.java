@@ -1,17 +1,22 @@
 package raytracing.numerics;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracing.math.ExactVector;
 import raytracing.math.Vector;
+import raytracing.math.Vectors;
 import raytracing.surface.Departure;
+import raytracing.surface.Hit;
 import raytracing.surface.HitRecord;
 import raytracing.surface.RayRecord;
+import raytracing.surface.Segment;
 
 /** Hit points and normals of triangles, against exact arithmetic. */
 class TriangleHitsTest {
@@ -89,5 +94,35 @@ class TriangleHitsTest {
     @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = {"ON_IT", "ON_THE_PLANE", "IN_ITS_PLANE"})
     void normalsPointToWhereTheRayCameFrom(TriangleFamily family) {
         Failures.assertNone(hits(family).stream().filter(met -> !met.isSeenFromItsSide()).map(met -> met.query.toString()));
+    }
+
+    /** Ends before, at and behind the hit, or far away. */
+    private static Vector end(TriangleQuery query, SplittableRandom random) {
+        double factor = switch (random.nextInt(4)) {
+            case 0 -> 1;
+            case 1 -> 1 + Math.scalb(random.nextDouble(-1, 1), -random.nextInt(54));
+            case 2 -> Math.scalb(random.nextDouble(-1, 1), random.nextInt(60));
+            default -> random.nextDouble(0, 4);
+        };
+        return Vectors.plus(query.origin(), factor * query.found(), query.direction());
+    }
+
+    /** A light on the triangle itself is on neither side. */
+    @ParameterizedTest
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = {"ON_IT", "ON_THE_PLANE", "IN_ITS_PLANE", "ENDS"})
+    void aLineFromAHitCrossesTheTriangleIfItEndsBehindIt(TriangleFamily family) {
+        SplittableRandom random = new SplittableRandom(SEED);
+        int behind = 0;
+        for (Met met : hits(family)) {
+            Vector end = end(met.query, random);
+            ExactTriangle exact = ExactTriangle.of(met.query.triangle());
+            boolean isBehind = exact.side(ExactPoint.of(end)) == -exact.side(ExactPoint.of(met.query.origin()));
+            Segment line = new Segment();
+            Hit hit = met.hit.toHit();
+            line.connect(hit.origin(), end.x(), end.y(), end.z(), 0);
+            assertEquals(isBehind, met.query.triangle().isCrossedFrom(hit, line), () -> end + ", " + met.query);
+            behind += isBehind ? 1 : 0;
+        }
+        assertTrue(behind > SIZE / 40, behind + " ends behind");
     }
 }
