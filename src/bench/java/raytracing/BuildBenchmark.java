@@ -25,7 +25,7 @@ import raytracing.scene.Scene;
 @Fork(1)
 @State(Scope.Benchmark)
 public class BuildBenchmark {
-    @Param({"FLAKE_7381", "FLAKE_66430", "FLAKE_597871"})
+    @Param({"FLAKE_7381", "FLAKE_66430", "FLAKE_597871", "KNOT_100000", "KNOT_1000000"})
     public TimedScene scene;
 
     private Scene parsed;

@@ -22,12 +22,14 @@ final class ColdTimes {
         TimedScene.ROOM1, TimedScene.SPHERES, TimedScene.POOL, TimedScene.NEST,
         TimedScene.FLAKE_820, TimedScene.FLAKE_7381, TimedScene.FLAKE_7381_SOFT, TimedScene.FLAKE_66430,
         TimedScene.FLAKE_597871, TimedScene.FLAKE_597871_SOFT,
+        TimedScene.KNOT_100000, TimedScene.KNOT_100000_SOFT,
         TimedScene.ROOM, TimedScene.BUBBLES, TimedScene.BOXES);
 
     /** How many times as long as ours POV-Ray should take at least. */
     private static final Map<TimedScene, Integer> ASKED = Map.of(
         TimedScene.ROOM1, 3, TimedScene.SPHERES, 4, TimedScene.POOL, 6, TimedScene.NEST, 8,
-        TimedScene.FLAKE_597871, 3, TimedScene.FLAKE_597871_SOFT, 5);
+        TimedScene.FLAKE_597871, 3, TimedScene.FLAKE_597871_SOFT, 5,
+        TimedScene.KNOT_100000, 1, TimedScene.KNOT_100000_SOFT, 4);
 
     private static final String NONE = "-";
 

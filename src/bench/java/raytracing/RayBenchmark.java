@@ -14,7 +14,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Millions of rays a second on one thread, by how many balls there are and how much one ray resembles the next. */
+/** Millions of rays a second on one thread, by how many balls or triangles there are and how much one ray resembles the next. */
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Warmup(iterations = 4, time = 1)
@@ -25,7 +25,7 @@ public class RayBenchmark {
     private static final int SIZE = 128;
     private static final int RAYS = SIZE * SIZE;
 
-    @Param({"FLAKE_91", "FLAKE_820", "FLAKE_7381", "FLAKE_66430", "FLAKE_597871"})
+    @Param({"FLAKE_91", "FLAKE_820", "FLAKE_7381", "FLAKE_66430", "FLAKE_597871", "KNOT_100000"})
     public TimedScene scene;
 
     @Param

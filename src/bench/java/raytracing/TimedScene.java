@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import raytracing.parse.RayTracerException;
 import raytracing.scene.Scene;
 import raytracing.timed.Hall;
+import raytracing.timed.Knot;
 import raytracing.timed.Nest;
 import raytracing.timed.SceneLines;
 import raytracing.timed.Sphereflake;
@@ -37,7 +38,10 @@ public enum TimedScene {
     FLAKE_7381_SOFT("sphereflake 7,381, N 3", Made.flake(4, 3)),
     FLAKE_66430("sphereflake 66,430", Made.flake(5, 1)),
     FLAKE_597871("sphereflake 597,871", Made.flake(6, 1)),
-    FLAKE_597871_SOFT("sphereflake 597,871, N 3", Made.flake(6, 3));
+    FLAKE_597871_SOFT("sphereflake 597,871, N 3", Made.flake(6, 3)),
+    KNOT_100000("knot 100,000", Made.knot(625, 80, 1)),
+    KNOT_100000_SOFT("knot 100,000, N 3", Made.knot(625, 80, 3)),
+    KNOT_1000000("knot 1,000,000", Made.knot(2000, 250, 1));
 
     private final String title;
     private final Origin origin;
@@ -89,6 +93,10 @@ public enum TimedScene {
 
         static Origin flake(int levels, int shadowRayRoot) {
             return new Made(() -> Sphereflake.scene(levels, shadowRayRoot));
+        }
+
+        static Origin knot(int along, int around, int shadowRayRoot) {
+            return new Made(() -> Knot.scene(along, around, shadowRayRoot));
         }
 
         @Override

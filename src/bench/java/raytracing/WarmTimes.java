@@ -20,7 +20,8 @@ import raytracing.timed.Spread;
 final class WarmTimes {
     static final List<TimedScene> SCENES = List.of(
         TimedScene.POOL, TimedScene.SPHERES, TimedScene.ROOM1, TimedScene.NEST,
-        TimedScene.FLAKE_7381, TimedScene.FLAKE_597871, TimedScene.FLAKE_7381_SOFT, TimedScene.FLAKE_597871_SOFT);
+        TimedScene.FLAKE_7381, TimedScene.FLAKE_597871, TimedScene.FLAKE_7381_SOFT, TimedScene.FLAKE_597871_SOFT,
+        TimedScene.KNOT_100000, TimedScene.KNOT_100000_SOFT);
 
     /**
      * How many times our processor time POV-Ray should need at least: from its time and that of a renderer in C++ on

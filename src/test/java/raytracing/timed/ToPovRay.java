@@ -22,9 +22,15 @@ public final class ToPovRay {
     /** POV-Ray refuses more. */
     private static final int DEEPEST = 256;
 
+    /** The number of no material. */
+    private static final int NO_MESH = -1;
+
     private final StringBuilder text = new StringBuilder();
     private final int shadowRayRoot;
     private final String method;
+
+    /** The material of the mesh that the last line is in. */
+    private int mesh = NO_MESH;
 
     private ToPovRay(int shadowRayRoot, String method) {
         this.shadowRayRoot = shadowRayRoot;
@@ -56,6 +62,7 @@ public final class ToPovRay {
         }
         Writer writer = translation.new Writer();
         scene.surfaces().forEach(surface -> surface.accept(writer));
+        translation.end();
         return translation.text.toString();
     }
 
@@ -93,7 +100,7 @@ public final class ToPovRay {
     private final class Writer implements Surface.Visitor<Boolean> {
         @Override
         public Boolean visit(Sphere sphere) {
-            line("sphere { " + triple(sphere.centre()) + ", " + sphere.radius() + texture(sphere));
+            end().line("sphere { " + triple(sphere.centre()) + ", " + sphere.radius() + texture(sphere));
             return true;
         }
 
@@ -101,23 +108,37 @@ public final class ToPovRay {
         @Override
         public Boolean visit(Plane plane) {
             double offset = plane.offset() / plane.normal().length();
-            line("plane { " + triple(plane.normal()) + ", " + offset + texture(plane));
+            end().line("plane { " + triple(plane.normal()) + ", " + offset + texture(plane));
             return true;
         }
 
         @Override
         public Boolean visit(Box box) {
             Vector half = new Vector(box.edge(), box.edge(), box.edge()).times(0.5);
-            line("box { " + triple(box.centre().minus(half)) + ", " + triple(Vectors.plus(box.centre(), half)) + texture(box));
+            end().line("box { " + triple(box.centre().minus(half)) + ", " + triple(Vectors.plus(box.centre(), half))
+                + texture(box));
             return true;
         }
 
+        /** Those of one material in a row are a mesh, which POV-Ray draws faster than single ones. */
         @Override
         public Boolean visit(Triangle triangle) {
-            line("triangle { " + triple(triangle.a()) + ", " + triple(triangle.b()) + ", " + triple(triangle.c())
-                + texture(triangle));
+            if (triangle.material() != mesh) {
+                end().line("mesh {");
+                mesh = triangle.material();
+            }
+            line("triangle { " + triple(triangle.a()) + ", " + triple(triangle.b()) + ", " + triple(triangle.c()) + " }");
             return true;
         }
+    }
+
+    /** Ends the mesh, if there is one. */
+    private ToPovRay end() {
+        if (mesh != NO_MESH) {
+            line("texture { " + name(mesh) + " } }");
+            mesh = NO_MESH;
+        }
+        return this;
     }
 
     private void line(String line) {

@@ -50,6 +50,27 @@ class ToPovRayTest {
     }
 
     @Test
+    void trianglesOfOneMaterialInARowAreAMesh() {
+        List<String> surfaces = List.of("trg 0 0 1  1 0 1  0 1 1  1", "trg 0 0 2  1 0 2  0 1 2  1",
+            "trg 0 0 3  1 0 3  0 1 3  2", "sph 1 2 3  4 1", "trg 0 0 4  1 0 4  0 1 4  2");
+        String text = ToPovRay.of(SceneText.scene(String.join("\n", SCENE.subList(0, 3)) + "\n" + SCENE.get(2) + "\n"
+            + String.join("\n", surfaces)));
+        assertEquals(String.join("\n",
+            "mesh {",
+            "triangle { <0.0, 0.0, 1.0>, <1.0, 0.0, 1.0>, <0.0, 1.0, 1.0> }",
+            "triangle { <0.0, 0.0, 2.0>, <1.0, 0.0, 2.0>, <0.0, 1.0, 2.0> }",
+            "texture { M0 } }",
+            "mesh {",
+            "triangle { <0.0, 0.0, 3.0>, <1.0, 0.0, 3.0>, <0.0, 1.0, 3.0> }",
+            "texture { M1 } }",
+            "sphere { <1.0, 2.0, 3.0>, 4.0 texture { M0 } }",
+            "mesh {",
+            "triangle { <0.0, 0.0, 4.0>, <1.0, 0.0, 4.0>, <0.0, 1.0, 4.0> }",
+            "texture { M1 } }",
+            ""), text.substring(text.indexOf("mesh")));
+    }
+
+    @Test
     void itsLightsMayHaveMorePointsThanOurs() {
         String text = ToPovRay.of(SceneText.scene(String.join("\n", SCENE)), 17, "jitter adaptive 1");
         assertTrue(text.contains(", 17, 17 jitter adaptive 1 circular orient }"));
@@ -65,7 +86,8 @@ class ToPovRayTest {
     @Test
     void povRayTakesIt(@TempDir Path folder) throws Exception {
         Skipped.unless(isInstalled(), "POV-Ray is not installed; apt-get install -y povray");
-        Path file = Files.writeString(folder.resolve("scene.pov"), translated());
+        Path file = Files.writeString(folder.resolve("scene.pov"),
+            ToPovRay.of(SceneText.scene(String.join("\n", SCENE) + "\ntrg 0 0 1  1 0 1  0 1 1  1")));
         Path picture = folder.resolve("picture.png");
         Path output = folder.resolve("output");
         Process povRay = new ProcessBuilder("povray", "+I" + file, "+O" + picture, "+W20", "+H20", "-A", "-D", "-V")
