@@ -100,8 +100,11 @@ final class ShaftQuery {
     private boolean ownBodyIsObstacle;
     private double settledTransmittance;
 
-    /** For each light: among many surfaces, the shaft next to a dark one is mostly dark too, which lines find out sooner. */
-    private final boolean[] wasDark;
+    /**
+     * For each light, whether lines find the answer sooner: among many surfaces, the shaft next to a dark one is mostly dark too,
+     * and the shaft next to one that has too many triangles in it, to a border of a mesh's shadow, has too many too.
+     */
+    private final boolean[] areLinesSooner;
 
     /** Number of the light that the shaft leads to. */
     private int light;
@@ -119,7 +122,7 @@ final class ShaftQuery {
         certain = new CrossedSurfaces(scene.transmittances());
         transmittanceOf = scene.transmittances();
         segmentQuery = new SegmentQuery(scene, lightCount);
-        wasDark = new boolean[lightCount];
+        areLinesSooner = new boolean[lightCount];
         boolean areFew = !scene.hasHierarchy() && scene.planes().groups().isEmpty();
         nearby = new NearbyShafts[usesShafts && areFew ? NEARBY : 0];
         for (int i = 0; i < nearby.length; i++) {
@@ -129,7 +132,7 @@ final class ShaftQuery {
 
     /** Forgets earlier shafts, which decide how the next answer is found, and never the answer. */
     void forgetPast() {
-        Arrays.fill(wasDark, false);
+        Arrays.fill(areLinesSooner, false);
         for (NearbyShafts shafts : nearby) {
             shafts.clear();
         }
@@ -216,13 +219,13 @@ final class ShaftQuery {
     }
 
     private void sortAll() {
-        isSorted = use == Use.AREAS || usesShafts && !(wasDark[light] && scene.hasHierarchy());
+        isSorted = use == Use.AREAS || usesShafts && !(areLinesSooner[light] && scene.hasHierarchy());
         if (isSorted) {
             planes.sort(use.mostObstacles, traversal, certain);
             spheres.sort(use.mostObstacles, traversal, certain);
             boxes.sort(use.mostObstacles - spheres.count, traversal, certain);
             triangles.sort(use.mostObstacles - spheres.count - boxes.count, traversal, certain);
-            wasDark[light] = certain.isDark();
+            areLinesSooner[light] = certain.isDark();
             isSorted = certain.isDark() || spheres.count + boxes.count + triangles.count <= use.mostObstacles;
         }
     }
@@ -264,7 +267,7 @@ final class ShaftQuery {
             findTransmittances(samples);
             sum = samples.addTo(sum);
         }
-        wasDark[light] = sum == 0;
+        areLinesSooner[light] = sum == 0 || !isSorted && sum < cells && scene.triangles().hierarchy().isPresent();
         return sum;
     }
 

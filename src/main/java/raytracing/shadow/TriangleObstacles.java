@@ -129,12 +129,13 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
     private boolean isBesideAxis(Triangle triangle) {
         Hit hit = shaft.hit;
         Basis axes = shaft.axes;
-        double slack = shaft.margin + Shaft.ROUNDING * (shaft.reach + triangle.largestPart());
         int besides = 0b111111;
         for (int i = 0; i < 3 && besides != 0; i++) {
             double x = triangle.x(i) - hit.x();
             double y = triangle.y(i) - hit.y();
             double z = triangle.z(i) - hit.z();
+            // rounded is what is taken from the hit, and its rounding is at most that of the way and of the hit
+            double slack = shaft.margin + Shaft.ROUNDING * (shaft.reach + Math.abs(x) + Math.abs(y) + Math.abs(z));
             double mx = x * axes.ux() + y * axes.uy() + z * axes.uz();
             double my = x * axes.vx() + y * axes.vy() + z * axes.vz();
             double mz = x * axes.wx() + y * axes.wy() + z * axes.wz();
