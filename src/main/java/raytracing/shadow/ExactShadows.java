@@ -27,7 +27,7 @@ final class ExactShadows extends SoftShadows {
     private final OwnShadow ownShadow = new OwnShadow();
 
     ExactShadows(PreparedScene scene, int lightCount) {
-        super(scene, ShaftQuery.Use.AREAS, lightCount);
+        super(scene, new ShaftQuery(scene, ShaftQuery.Use.AREAS, lightCount), lightCount);
         this.scene = scene;
         transmittanceOf = scene.transmittances();
     }

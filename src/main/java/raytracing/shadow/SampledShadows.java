@@ -10,7 +10,7 @@ final class SampledShadows extends SoftShadows {
 
     /** Shadow rays for a scene; {@code root} is N, at least 1. */
     SampledShadows(PreparedScene scene, int root, int lightCount) {
-        super(scene, ShaftQuery.Use.LINES, lightCount);
+        super(scene, new ShaftQuery(scene, ShaftQuery.Use.LINES, root * root, lightCount), lightCount);
         this.root = root;
     }
 

@@ -81,6 +81,7 @@ final class ShaftQuery {
     final TriangleObstacles triangles;
     private final PreparedScene scene;
     private final Use use;
+    private final int mostTriangles;
     private final boolean usesShafts;
     private final CrossedSurfaces certain;
     private final double[] transmittanceOf;
@@ -111,8 +112,14 @@ final class ShaftQuery {
 
     /** A shaft that is not aimed, for so many lights. */
     ShaftQuery(PreparedScene scene, Use use, int lightCount) {
+        this(scene, use, use.mostObstacles, lightCount);
+    }
+
+    /** The same for so many lines to each light: fewer lines are tested sooner than more triangles of a mesh are sorted. */
+    ShaftQuery(PreparedScene scene, Use use, int lines, int lightCount) {
         this.scene = scene;
         this.use = use;
+        mostTriangles = scene.triangles().hierarchy().isPresent() ? Math.min(lines, use.mostObstacles) : use.mostObstacles;
         usesShafts = scene.uses(Shortcut.SHADOW_SHAFTS);
         spheres = new SphereObstacles(shaft, scene);
         planes = new PlaneObstacles(shaft, scene);
@@ -224,9 +231,10 @@ final class ShaftQuery {
             planes.sort(use.mostObstacles, traversal, certain);
             spheres.sort(use.mostObstacles, traversal, certain);
             boxes.sort(use.mostObstacles - spheres.count, traversal, certain);
-            triangles.sort(use.mostObstacles - spheres.count - boxes.count, traversal, certain);
+            triangles.sort(Math.min(mostTriangles, use.mostObstacles - spheres.count - boxes.count), traversal, certain);
             areLinesSooner[light] = certain.isDark();
-            isSorted = certain.isDark() || spheres.count + boxes.count + triangles.count <= use.mostObstacles;
+            isSorted = certain.isDark() || triangles.count <= mostTriangles
+                && spheres.count + boxes.count + triangles.count <= use.mostObstacles;
         }
     }
 

@@ -19,9 +19,9 @@ public abstract class SoftShadows {
     private long rays;
     private long areas;
 
-    SoftShadows(PreparedScene scene, ShaftQuery.Use use, int lightCount) {
+    SoftShadows(PreparedScene scene, ShaftQuery shaft, int lightCount) {
         line = new SegmentQuery(scene, lightCount);
-        shaft = new ShaftQuery(scene, use, lightCount);
+        this.shaft = shaft;
     }
 
     /**
