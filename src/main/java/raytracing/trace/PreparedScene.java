@@ -73,13 +73,25 @@ public final class PreparedScene {
         spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
         boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
         triangles = new TriangleList(listTriangles(triangleNumbers, workers), triangleNumbers, overTriangles);
-        lists = new SurfaceList[] {planes, spheres, boxes, triangles};
+        lists = notEmpty(planes, spheres, boxes, triangles);
         hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent() || overTriangles.isPresent();
         checkThatAllAreListed();
         transmittances = new double[surfaces.length];
         if (shadowMode == ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT) {
             setTransmittances(scene.materials(), workers);
         }
+    }
+
+    /** Every ray is offered to these: a kind that the scene has not costs nothing. */
+    private static SurfaceList[] notEmpty(SurfaceList... all) {
+        SurfaceList[] some = new SurfaceList[all.length];
+        int count = 0;
+        for (SurfaceList list : all) {
+            if (list.numbers().length > 0) {
+                some[count++] = list;
+            }
+        }
+        return Arrays.copyOf(some, count);
     }
 
     private void setTransmittances(List<Material> materials, ForkJoin workers) {
@@ -274,7 +286,7 @@ public final class PreparedScene {
         return surfaces;
     }
 
-    /** The lists of all kinds. */
+    /** The lists of all kinds that the scene has, in the order of their kinds. */
     SurfaceList[] lists() {
         return lists;
     }
