@@ -164,7 +164,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         double sum = sumOfSizes(toAx, toAy, toAz) + sumOfSizes(toBx, toBy, toBz) + sumOfSizes(toCx, toCy, toCz);
         double slope = sum * sumOfSizes(dx, dy, dz);
         double error = (VOLUME_ERROR * sum + MOVED * o.error) * slope;
-        return areOpposite(ab, bc, ca, error) && slope > SMALL && error > SMALL && error < LARGE;
+        return areOpposite(ab, bc, ca, error) && slope > SMALL && isInRange(error) && isInRange(sum * sum);
     }
 
     /** Whether two of three volumes have certainly opposite signs. */
