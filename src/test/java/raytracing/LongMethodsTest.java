@@ -51,8 +51,6 @@ class LongMethodsTest {
         Map.entry("BoxObstacles.sort", "once for each light and point, all boxes"),
         Map.entry("Triangle.closeCrossing", "a ray and a triangle that it comes near"),
         Map.entry("Triangle.isCrossedClosely", "the same for a shadow ray"),
-        Map.entry("Triangle.compensatedCrossing", "a ray that meets a triangle, in pairs of doubles"),
-        Map.entry("Triangle.setNormal", "once for each point that is seen on a triangle"),
         Map.entry("TriangleObstacles.isBesideAxis", "once for each triangle whose box reaches into a shaft"),
         Map.entry("TriangleObstacles.look", "once for each light and point near a triangle"),
         Map.entry("BallShadow.set", "once for each exact shadow of a sphere"),

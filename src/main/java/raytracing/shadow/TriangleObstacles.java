@@ -265,7 +265,7 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
         addLine(seen.ca, turn, shadows);
     }
 
-    /** Of an edge that the hit is on, the line as seen from where the hit was seen; the others are passed on the inner side. */
+    /** Of an edge that the hit is on, the line as seen from where the hit was seen; others are passed on the inner side. */
     private void addTouchedEdges(Triangle triangle, int touched, int sign, ConvexShadows shadows) {
         Vector eye = shaft.hit.origin().seenFrom();
         addEdge(touched & AB, triangle.a().minus(eye), triangle.b().minus(eye), eye, sign, shadows);

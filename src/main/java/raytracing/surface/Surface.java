@@ -26,7 +26,7 @@ public sealed interface Surface permits Bounded, Plane {
      * @param ray not starting on this surface by its number
      * @param latest crossings certainly beyond this distance may be reported as {@link #MISS}
      * @return smallest t above 0 in multiples of the ray's direction, with an error of at most 16 units in the last place
-     *         (sphere: measured; plane, box and triangle: proved); {@link #MISS}; or {@link #UNDECIDED}, also if the origin's error
+     *         (sphere: measured; others: proved); {@link #MISS}; or {@link #UNDECIDED}, also if the origin's error
      *         leaves open on which side of the surface the ray starts
      */
     double firstCrossing(Ray ray, double latest);
@@ -45,8 +45,8 @@ public sealed interface Surface permits Bounded, Plane {
     /**
      * On which side of this surface a point lies, decided exactly.
      *
-     * @return 1 outside a body or where the normal of a plane or triangle points, -1 inside or on the other side; 0 if the point
-     *         is on the surface within its error, and nothing tells from which side it was seen
+     * @return 1 outside a body or where the normal of a plane or triangle points, -1 inside or on the other side; 0 if the
+     *         point is on the surface within its error, and nothing tells from which side it was seen
      */
     int side(RayOrigin point, int number);
 

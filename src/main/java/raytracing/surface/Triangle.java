@@ -14,15 +14,15 @@ import raytracing.math.Vector;
  * <p>Let A, B and C be the ways from a ray's origin to the corners and d its direction. The ray's line meets the triangle if
  * the volumes d . (A x B), d . (B x C) and d . (C x A) have no two opposite signs: on which side of each edge it passes. A
  * triangle on the other side of an edge finds the same volume with the other sign, so no line passes between the two. The sum
- * of the volumes is the approach N . d, with the normal N = (b - a) x (c - a); the gap is N . A; and the ray meets the plane at
+ * of the volumes is the approach N . d, with the normal N = (b - a) x (c - a); the gap is N . A; the ray meets the plane at
  * gap over approach (Moeller, Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, J. Graphics Tools 2:1, 1997; in this
  * form Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, J. Computer Graphics Techniques 2:1, 2013, who still lose
  * what rounding takes).
  *
- * <p>A bound on the errors, known beforehand, tells whether doubles decide; what they leave open, {@link ExactTriangle} decides.
- * So no decision is wrong, whatever finite numbers come. A crossing is the quotient of two compensated sums; its error is at
- * most 4 u (proved below). In these proofs u = 2^-53, m is the largest coordinate of A, B and C, and s the sum of the sizes of
- * the coordinates of d.
+ * <p>A bound on the errors, known beforehand, tells whether doubles decide; what they leave open, {@link ExactTriangle}
+ * decides. So no decision is wrong, whatever finite numbers come. A crossing is the quotient of two compensated sums; its
+ * error is at most 4 u (proved below). In these proofs u = 2^-53, m is the largest coordinate of A, B and C, and s the sum of
+ * the sizes of the coordinates of d.
  *
  * @param material number of its material, from 0
  */
@@ -238,33 +238,39 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
     /** The quotient of gap and approach, for a ray that certainly meets the triangle. */
     private double compensatedCrossing(Ray ray) {
         RayOrigin o = ray.origin;
+        double toX = ax - o.x;
+        double toY = ay - o.y;
+        double toZ = az - o.z;
+        double gap = alongNormal(toX, toY, toZ, CompensatedSum.errorOfSum(ax, -o.x, toX),
+            CompensatedSum.errorOfSum(ay, -o.y, toY), CompensatedSum.errorOfSum(az, -o.z, toZ));
+        double approach = alongNormal(ray.dx, ray.dy, ray.dz, 0, 0, 0);
+        double clear = clearNormal();
+        double leastGap = clear * Vector.largestPart(toX, toY, toZ);
+        double leastApproach = clear * Vector.largestPart(ray.dx, ray.dy, ray.dz);
+        double t = gap / approach;
+        boolean isClear = isInRange(clear) && isInRange(leastGap) && Math.abs(gap) > leastGap
+            && isInRange(leastApproach) && Math.abs(approach) > leastApproach;
+        return isClear && t > SMALLEST && t < MISS ? t : UNDECIDED;
+    }
+
+    /** The dot product of the normal with a vector, each coordinate of which is a double and a far smaller one. */
+    private double alongNormal(double x, double y, double z, double lowX, double lowY, double lowZ) {
         double ux = bx - ax;
         double uy = by - ay;
         double uz = bz - az;
         double vx = cx - ax;
         double vy = cy - ay;
         double vz = cz - az;
-        double toX = ax - o.x;
-        double toY = ay - o.y;
-        double toZ = az - o.z;
-        double lowUx = CompensatedSum.errorOfSum(bx, -ax, ux);
-        double lowUy = CompensatedSum.errorOfSum(by, -ay, uy);
-        double lowUz = CompensatedSum.errorOfSum(bz, -az, uz);
-        double lowVx = CompensatedSum.errorOfSum(cx, -ax, vx);
-        double lowVy = CompensatedSum.errorOfSum(cy, -ay, vy);
-        double lowVz = CompensatedSum.errorOfSum(cz, -az, vz);
-        double gap = Determinant.of(toX, toY, toZ, CompensatedSum.errorOfSum(ax, -o.x, toX),
-            CompensatedSum.errorOfSum(ay, -o.y, toY), CompensatedSum.errorOfSum(az, -o.z, toZ),
-            ux, uy, uz, lowUx, lowUy, lowUz, vx, vy, vz, lowVx, lowVy, lowVz);
-        double approach = Determinant.of(ray.dx, ray.dy, ray.dz, 0, 0, 0,
-            ux, uy, uz, lowUx, lowUy, lowUz, vx, vy, vz, lowVx, lowVy, lowVz);
-        double size = Vector.largestPart(ux, uy, uz) * Vector.largestPart(vx, vy, vz);
-        double leastGap = CLEAR * size * Vector.largestPart(toX, toY, toZ);
-        double leastApproach = CLEAR * size * Vector.largestPart(ray.dx, ray.dy, ray.dz);
-        double t = gap / approach;
-        boolean isClear = size > SMALL && Math.abs(gap) > leastGap && leastGap > SMALL && leastGap < LARGE
-            && Math.abs(approach) > leastApproach && leastApproach > SMALL && leastApproach < LARGE;
-        return isClear && t > SMALLEST && t < MISS ? t : UNDECIDED;
+        return Determinant.of(x, y, z, lowX, lowY, lowZ,
+            ux, uy, uz, CompensatedSum.errorOfSum(bx, -ax, ux), CompensatedSum.errorOfSum(by, -ay, uy),
+            CompensatedSum.errorOfSum(bz, -az, uz),
+            vx, vy, vz, CompensatedSum.errorOfSum(cx, -ax, vx), CompensatedSum.errorOfSum(cy, -ay, vy),
+            CompensatedSum.errorOfSum(cz, -az, vz));
+    }
+
+    /** How large such a product must be beside the vector's largest coordinate to be off by little more than a rounding. */
+    private double clearNormal() {
+        return CLEAR * Vector.largestPart(bx - ax, by - ay, bz - az) * Vector.largestPart(cx - ax, cy - ay, cz - az);
     }
 
     @Override
@@ -396,23 +402,11 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
 
     /** Each part of the normal is rounded once; of a triangle that is a million million times as long as wide, exactly. */
     private void setNormal(Hit hit) {
-        double ux = bx - ax;
-        double uy = by - ay;
-        double uz = bz - az;
-        double vx = cx - ax;
-        double vy = cy - ay;
-        double vz = cz - az;
-        double lowUx = CompensatedSum.errorOfSum(bx, -ax, ux);
-        double lowUy = CompensatedSum.errorOfSum(by, -ay, uy);
-        double lowUz = CompensatedSum.errorOfSum(bz, -az, uz);
-        double lowVx = CompensatedSum.errorOfSum(cx, -ax, vx);
-        double lowVy = CompensatedSum.errorOfSum(cy, -ay, vy);
-        double lowVz = CompensatedSum.errorOfSum(cz, -az, vz);
-        double nx = Determinant.of(1, 0, 0, 0, 0, 0, ux, uy, uz, lowUx, lowUy, lowUz, vx, vy, vz, lowVx, lowVy, lowVz);
-        double ny = Determinant.of(0, 1, 0, 0, 0, 0, ux, uy, uz, lowUx, lowUy, lowUz, vx, vy, vz, lowVx, lowVy, lowVz);
-        double nz = Determinant.of(0, 0, 1, 0, 0, 0, ux, uy, uz, lowUx, lowUy, lowUz, vx, vy, vz, lowVx, lowVy, lowVz);
-        double clear = CLEAR * Vector.largestPart(ux, uy, uz) * Vector.largestPart(vx, vy, vz);
-        if (clear > SMALL && clear < LARGE && Vector.largestPart(nx, ny, nz) > clear) {
+        double nx = alongNormal(1, 0, 0, 0, 0, 0);
+        double ny = alongNormal(0, 1, 0, 0, 0, 0);
+        double nz = alongNormal(0, 0, 1, 0, 0, 0);
+        double clear = clearNormal();
+        if (isInRange(clear) && Vector.largestPart(nx, ny, nz) > clear) {
             hit.normal.set(nx, ny, nz);
         } else {
             Vector exact = ExactTriangle.of(this).direction();
