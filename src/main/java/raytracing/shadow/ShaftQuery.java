@@ -81,6 +81,7 @@ final class ShaftQuery {
     final TriangleObstacles triangles;
     private final PreparedScene scene;
     private final Use use;
+    private final boolean hasTriangles;
     private final int mostTriangles;
     private final boolean usesShafts;
     private final CrossedSurfaces certain;
@@ -102,8 +103,8 @@ final class ShaftQuery {
     private double settledTransmittance;
 
     /**
-     * For each light, whether lines find the answer sooner: among many surfaces, the shaft next to a dark one is mostly dark too,
-     * and the shaft next to one that has too many triangles in it, to a border of a mesh's shadow, has too many too.
+     * For each light, whether lines find the answer sooner: among many surfaces, the shaft next to a dark one is mostly dark
+     * too, and the shaft next to one that has too many triangles in it, to a border of a mesh's shadow, has too many too.
      */
     private final boolean[] areLinesSooner;
 
@@ -125,7 +126,9 @@ final class ShaftQuery {
         planes = new PlaneObstacles(shaft, scene);
         boxes = new BoxObstacles(shaft, scene);
         triangles = new TriangleObstacles(shaft, scene);
-        kinds = new Obstacles<?>[] {planes, spheres, boxes, triangles};
+        hasTriangles = scene.hasTriangles();
+        kinds = hasTriangles ? new Obstacles<?>[] {planes, spheres, boxes, triangles}
+            : new Obstacles<?>[] {planes, spheres, boxes};
         certain = new CrossedSurfaces(scene.transmittances());
         transmittanceOf = scene.transmittances();
         segmentQuery = new SegmentQuery(scene, lightCount);
@@ -158,12 +161,13 @@ final class ShaftQuery {
         light = number;
         certain.clear();
         Surface own = scene.surface(hit.surface());
-        boolean isSeenFromInside = own instanceof Body && hit.side() == Departure.INWARD;
+        boolean isSeenFromInside = hit.side() == Departure.INWARD && own instanceof Body;
         int place = (hit.surface() + LIGHTS_APART * light) & (NEARBY - 1);
         boolean isNear = nearby.length > 0 && nearby[place].holds(light, hit);
         if (isNear) {
             find(nearby[place], hit.surface());
-            if (nearby[place].areClear() && !(own instanceof Bounded && (isSeenFromInside || !nearby[place].isWhollySeen(hit)))) {
+            if (nearby[place].areClear()
+                    && !((isSeenFromInside || !nearby[place].isWhollySeen(hit)) && own instanceof Bounded)) {
                 settleInLight();
                 return;
             }
@@ -179,7 +183,7 @@ final class ShaftQuery {
         double spread = shaft.halfWidth * (Math.abs(alongU) + Math.abs(alongV));
         boolean isWhollySeen = height - spread > shaft.margin;
         ownBodyIsObstacle = false;
-        if (own instanceof Bounded && (isSeenFromInside || !isWhollySeen)) {
+        if ((isSeenFromInside || !isWhollySeen) && own instanceof Bounded) {
             boolean isLeftByAll = !(own instanceof Body body) || shaft.endsApartFrom(body);
             ownBodyIsObstacle = !(isSeenFromInside && isLeftByAll);
             if (ownBodyIsObstacle) {
@@ -197,7 +201,9 @@ final class ShaftQuery {
             planes.sort(nearby[place].planes, certain);
             spheres.sort(nearby[place].spheres, certain);
             boxes.sort(nearby[place].boxes, certain);
-            triangles.sort(nearby[place].triangles, certain);
+            if (hasTriangles) {
+                triangles.sort(nearby[place].triangles, certain);
+            }
             isSorted = certain.isDark() || spheres.count + boxes.count + triangles.count <= use.mostObstacles;
         } else {
             sortAll();
@@ -210,7 +216,9 @@ final class ShaftQuery {
             planes.find(shafts, surfaceLeft, shafts.planes);
             spheres.find(shafts, surfaceLeft, shafts.spheres);
             boxes.find(shafts, surfaceLeft, shafts.boxes);
-            triangles.find(shafts, surfaceLeft, shafts.triangles);
+            if (hasTriangles) {
+                triangles.find(shafts, surfaceLeft, shafts.triangles);
+            }
         }
     }
 
@@ -231,7 +239,9 @@ final class ShaftQuery {
             planes.sort(use.mostObstacles, traversal, certain);
             spheres.sort(use.mostObstacles, traversal, certain);
             boxes.sort(use.mostObstacles - spheres.count, traversal, certain);
-            triangles.sort(Math.min(mostTriangles, use.mostObstacles - spheres.count - boxes.count), traversal, certain);
+            if (hasTriangles) {
+                triangles.sort(Math.min(mostTriangles, use.mostObstacles - spheres.count - boxes.count), traversal, certain);
+            }
             areLinesSooner[light] = certain.isDark();
             isSorted = certain.isDark() || triangles.count <= mostTriangles
                 && spheres.count + boxes.count + triangles.count <= use.mostObstacles;

@@ -20,11 +20,10 @@ public sealed interface Body extends Bounded permits Sphere, Box {
     /** Whether a segment that starts on the wall and goes inwards ends strictly outside. */
     boolean isLeft(Segment segment);
 
-    /** From inside, if it ends outside; from outside, if it goes through from wall to wall. */
+    /** One that goes inwards crosses the body if it ends outside. */
     @Override
     default boolean isCrossedFrom(Hit hit, Segment segment) {
-        return (hit.side() == Departure.INWARD
-            || hit.departureTowards(segment.dx, segment.dy, segment.dz) == Departure.INWARD) && isLeft(segment);
+        return isLeft(segment);
     }
 
     /** Whether a ball of a radius of at least 0 is certainly outside. */

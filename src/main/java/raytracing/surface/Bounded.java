@@ -8,8 +8,8 @@ public sealed interface Bounded extends Surface permits Body, Triangle {
     void bound(Bounds bounds, int i);
 
     /**
-     * Whether a segment that starts where this surface was hit crosses it: it goes behind it, seen from where the hit was
-     * seen, and if it is a body, it ends outside.
+     * Whether a segment that starts where this surface was hit crosses it: it ends behind a triangle, seen from where the hit
+     * was seen, or outside a body, if it goes inwards.
      */
     boolean isCrossedFrom(Hit hit, Segment segment);
 }

@@ -12,6 +12,7 @@ import raytracing.scene.Scene;
 import raytracing.surface.Body;
 import raytracing.surface.Bounded;
 import raytracing.surface.Box;
+import raytracing.surface.Departure;
 import raytracing.surface.Hit;
 import raytracing.surface.Plane;
 import raytracing.surface.Segment;
@@ -73,25 +74,14 @@ public final class PreparedScene {
         spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
         boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
         triangles = new TriangleList(listTriangles(triangleNumbers, workers), triangleNumbers, overTriangles);
-        lists = notEmpty(planes, spheres, boxes, triangles);
+        lists = hasTriangles() ? new SurfaceList[] {planes, spheres, boxes, triangles}
+            : new SurfaceList[] {planes, spheres, boxes};
         hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent() || overTriangles.isPresent();
         checkThatAllAreListed();
         transmittances = new double[surfaces.length];
         if (shadowMode == ShadowMode.TRANSPARENT_SURFACES_PASS_LIGHT) {
             setTransmittances(scene.materials(), workers);
         }
-    }
-
-    /** Every ray is offered to these: a kind that the scene has not costs nothing. */
-    private static SurfaceList[] notEmpty(SurfaceList... all) {
-        SurfaceList[] some = new SurfaceList[all.length];
-        int count = 0;
-        for (SurfaceList list : all) {
-            if (list.numbers().length > 0) {
-                some[count++] = list;
-            }
-        }
-        return Arrays.copyOf(some, count);
     }
 
     private void setTransmittances(List<Material> materials, ForkJoin workers) {
@@ -286,7 +276,10 @@ public final class PreparedScene {
         return surfaces;
     }
 
-    /** The lists of all kinds that the scene has, in the order of their kinds. */
+    /**
+     * The lists of all kinds, but for triangles if there are none: a fourth list costs each ray some time. Of three kinds the
+     * virtual machine compiles none into the loops over this, which a small picture would wait for (DECISIONS).
+     */
     SurfaceList[] lists() {
         return lists;
     }
@@ -307,6 +300,10 @@ public final class PreparedScene {
         return triangles;
     }
 
+    public boolean hasTriangles() {
+        return triangles.numbers().length > 0;
+    }
+
     /** Whether there are so many surfaces of a kind that a hierarchy finds them. */
     public boolean hasHierarchy() {
         return hasHierarchy;
@@ -319,6 +316,8 @@ public final class PreparedScene {
 
     /** Whether a segment from a hit crosses the surface that was hit, or its body. An endless plane does not hide its back. */
     public boolean isOwnSurfaceCrossed(Hit hit, Segment segment) {
-        return surfaces[hit.surface()] instanceof Bounded own && own.isCrossedFrom(hit, segment);
+        return (hit.side() == Departure.INWARD
+            || hit.departureTowards(segment.dx(), segment.dy(), segment.dz()) == Departure.INWARD)
+            && surfaces[hit.surface()] instanceof Bounded own && own.isCrossedFrom(hit, segment);
     }
 }
