@@ -50,6 +50,12 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
     /** Of the product of its vectors' sizes, how large a determinant must be to be off by less than u (1 + 2^-3). */
     private static final double CLEAR = 0x1p-42;
 
+    /** How a line passes the triangle: beside it, or through it in the direction of the normal or against that. */
+    private static final int BESIDE = 0;
+    private static final int ALONG = 1;
+    private static final int AGAINST = -1;
+    private static final int UNKNOWN = 2;
+
     /** A crossing below this may carry the trace of a subnormal number. */
     private static final double SMALLEST = Double.MIN_NORMAL;
 
@@ -139,13 +145,15 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
     }
 
     /**
-     * Whether a ray or a segment certainly passes the triangle, as it has two edges on different sides: so most lines do in a
-     * hierarchy, and a few operations tell. In place of the largest coordinate it takes the sum of all, which is larger and
-     * sooner found. With d x A, two volumes need one cross product; the bound on the errors is the same.
+     * How a line certainly passes the triangle. Most lines pass beside most triangles, so this is as short as it can be: with
+     * d x A, two volumes need one cross product, and in place of the largest coordinate the bound has the sum of all, which is
+     * larger and sooner found.
      *
      * @param dx direction, of any length; that of a segment is rounded
+     * @return {@link #BESIDE}, {@link #ALONG} or {@link #AGAINST}; {@link #UNKNOWN} if doubles cannot tell, or the origin's
+     *         error leaves it open
      */
-    private boolean isPlainlyMissed(RayOrigin o, double dx, double dy, double dz) {
+    private int passing(RayOrigin o, double dx, double dy, double dz) {
         double toAx = ax - o.x;
         double toAy = ay - o.y;
         double toAz = az - o.z;
@@ -162,77 +170,55 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         double ca = -(toCx * acrossX + toCy * acrossY + toCz * acrossZ);
         double bc = Determinant.rounded(dx, dy, dz, toBx, toBy, toBz, toCx, toCy, toCz);
         double sum = sumOfSizes(toAx, toAy, toAz) + sumOfSizes(toBx, toBy, toBz) + sumOfSizes(toCx, toCy, toCz);
-        double slope = sum * sumOfSizes(dx, dy, dz);
-        double error = (VOLUME_ERROR * sum + MOVED * o.error) * slope;
-        return areOpposite(ab, bc, ca, error) && slope > SMALL && isInRange(error) && isInRange(sum * sum);
-    }
-
-    /** Whether two of three volumes have certainly opposite signs. */
-    private static boolean areOpposite(double ab, double bc, double ca, double error) {
-        return Math.min(ab, Math.min(bc, ca)) < -error && Math.max(ab, Math.max(bc, ca)) > error;
+        double error = (VOLUME_ERROR * sum + MOVED * o.error) * (sum * sumOfSizes(dx, dy, dz));
+        double least = Math.min(ab, Math.min(bc, ca));
+        double most = Math.max(ab, Math.max(bc, ca));
+        if (!(isInRange(error) && isInRange(sum * sum))) {
+            return UNKNOWN;
+        }
+        if (least < -error && most > error) {
+            return BESIDE;
+        }
+        return least > error ? ALONG : most < -error ? AGAINST : UNKNOWN;
     }
 
     private static double sumOfSizes(double x, double y, double z) {
         return Math.abs(x) + Math.abs(y) + Math.abs(z);
     }
 
-    @Override
-    public double firstCrossing(Ray ray, double latest) {
-        return isPlainlyMissed(ray.origin, ray.dx, ray.dy, ray.dz) ? MISS : closeCrossing(ray, latest);
+    /** On which side of the plane a point certainly is: 1 where the normal points; 0 if doubles or its error leave it open. */
+    private int clearSide(double x, double y, double z, double error) {
+        double toAx = ax - x;
+        double toAy = ay - y;
+        double toAz = az - z;
+        double toBx = bx - x;
+        double toBy = by - y;
+        double toBz = bz - z;
+        double toCx = cx - x;
+        double toCy = cy - y;
+        double toCz = cz - z;
+        double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
+        double m = largest(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
+        double gapError = (3 * VOLUME_ERROR * m + MOVED_GAP * error) * m * m;
+        return !(isInRange(gapError) && Math.abs(gap) > gapError) ? 0 : gap < 0 ? 1 : -1;
     }
 
-    /** The same for a ray that comes near the triangle. Long on purpose: so it is not compiled into every loop (DECISIONS). */
-    private double closeCrossing(Ray ray, double latest) {
+    /** All crossings are reported, also those beyond {@code latest}: most lines that come here cross in front of it. */
+    @Override
+    public double firstCrossing(Ray ray, double latest) {
+        int passing = passing(ray.origin, ray.dx, ray.dy, ray.dz);
+        return passing == BESIDE ? MISS : passing == UNKNOWN ? UNDECIDED : crossingAhead(ray, passing);
+    }
+
+    /** The crossing of a ray whose line goes through the triangle along the normal or against it, if the ray heads there. */
+    private double crossingAhead(Ray ray, int passing) {
         RayOrigin o = ray.origin;
-        double dx = ray.dx;
-        double dy = ray.dy;
-        double dz = ray.dz;
-        double toAx = ax - o.x;
-        double toAy = ay - o.y;
-        double toAz = az - o.z;
-        double toBx = bx - o.x;
-        double toBy = by - o.y;
-        double toBz = bz - o.z;
-        double toCx = cx - o.x;
-        double toCy = cy - o.y;
-        double toCz = cz - o.z;
-        double ab = Determinant.rounded(dx, dy, dz, toAx, toAy, toAz, toBx, toBy, toBz);
-        double bc = Determinant.rounded(dx, dy, dz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double ca = Determinant.rounded(dx, dy, dz, toCx, toCy, toCz, toAx, toAy, toAz);
-        double m = largest(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double error = (VOLUME_ERROR * m + MOVED * o.error) * m * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
-        double least = Math.min(ab, Math.min(bc, ca));
-        double most = Math.max(ab, Math.max(bc, ca));
-        if (!(isInRange(error) && isInRange(m * m))) {
-            return UNDECIDED;
-        }
-        if (least < -error && most > error) {
-            return MISS;
-        }
-        if (!(least > error || most < -error)) {
-            return UNDECIDED;
-        }
-        double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double gapError = gapError(m, o.error);
-        if (!(isInRange(gapError) && Math.abs(gap) > gapError)) {
-            return UNDECIDED;
-        }
-        double approach = ab + bc + ca;
-        if (gap > 0 != approach > 0) {
-            return MISS;
-        }
-        if ((Math.abs(gap) - gapError) > latest * (Math.abs(approach) + 3 * error)) {
-            return MISS;
-        }
-        return compensatedCrossing(ray);
+        int side = clearSide(o.x, o.y, o.z, o.error);
+        return side == 0 ? UNDECIDED : side == passing ? MISS : compensatedCrossing(ray);
     }
 
     private static boolean isInRange(double size) {
         return size > SMALL && size < LARGE;
-    }
-
-    private static double gapError(double m, double originError) {
-        return (3 * VOLUME_ERROR * m + MOVED_GAP * originError) * m * m;
     }
 
     /** The quotient of gap and approach, for a ray that certainly meets the triangle. */
@@ -280,44 +266,16 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
 
     @Override
     public boolean isCrossed(Segment segment, int number) {
-        return !isPlainlyMissed(segment.start, segment.dx, segment.dy, segment.dz) && isCrossedClosely(segment, number);
+        int passing = passing(segment.start, segment.dx, segment.dy, segment.dz);
+        return passing != BESIDE && isCrossed(segment, number, passing);
     }
 
-    private boolean isCrossedClosely(Segment segment, int number) {
+    private boolean isCrossed(Segment segment, int number, int passing) {
         RayOrigin o = segment.start;
-        double dx = segment.dx;
-        double dy = segment.dy;
-        double dz = segment.dz;
-        double toAx = ax - o.x;
-        double toAy = ay - o.y;
-        double toAz = az - o.z;
-        double toBx = bx - o.x;
-        double toBy = by - o.y;
-        double toBz = bz - o.z;
-        double toCx = cx - o.x;
-        double toCy = cy - o.y;
-        double toCz = cz - o.z;
-        double ab = Determinant.rounded(dx, dy, dz, toAx, toAy, toAz, toBx, toBy, toBz);
-        double bc = Determinant.rounded(dx, dy, dz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double ca = Determinant.rounded(dx, dy, dz, toCx, toCy, toCz, toAx, toAy, toAz);
-        double m = largest(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double s = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
-        double error = (VOLUME_ERROR * m + MOVED * o.error) * m * s;
-        double least = Math.min(ab, Math.min(bc, ca));
-        double most = Math.max(ab, Math.max(bc, ca));
-        if (!(isInRange(error) && isInRange(m * m))) {
-            return ExactTriangle.of(this).isCrossed(segment, number);
-        }
-        if (least < -error && most > error) {
-            return false;
-        }
-        double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double gapError = gapError(m, o.error);
-        double endGap = gap - (ab + bc + ca);
-        double endGapError = gapError + 4 * error + MOVED_GAP * segment.endError * (m + s) * (m + s);
-        boolean isClear = isInRange(gapError) && (least > error || most < -error) && Math.abs(gap) > gapError
-            && Math.abs(endGap) > endGapError;
-        return isClear ? gap > 0 != endGap > 0 : ExactTriangle.of(this).isCrossed(segment, number);
+        int side = clearSide(o.x, o.y, o.z, o.error);
+        int endSide = clearSide(segment.endX, segment.endY, segment.endZ, segment.endError);
+        return passing == UNKNOWN || side == 0 || endSide == 0 ? ExactTriangle.of(this).isCrossed(segment, number)
+            : side != endSide;
     }
 
     /** Whether it ends on the other side of the plane than that from which the hit was seen. */
@@ -329,20 +287,8 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
 
     /** On which side of the plane a segment ends: 1 where the normal points; 0 on the triangle within the end's error. */
     private int endSide(Segment segment) {
-        double toAx = ax - segment.endX;
-        double toAy = ay - segment.endY;
-        double toAz = az - segment.endZ;
-        double toBx = bx - segment.endX;
-        double toBy = by - segment.endY;
-        double toBz = bz - segment.endZ;
-        double toCx = cx - segment.endX;
-        double toCy = cy - segment.endY;
-        double toCz = cz - segment.endZ;
-        double gap = Determinant.rounded(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double m = largest(toAx, toAy, toAz, toBx, toBy, toBz, toCx, toCy, toCz);
-        double error = gapError(m, segment.endError);
-        boolean isClear = isInRange(error) && Math.abs(gap) > error;
-        return isClear ? (gap < 0 ? 1 : -1) : ExactTriangle.of(this).endSide(segment);
+        int side = clearSide(segment.endX, segment.endY, segment.endZ, segment.endError);
+        return side != 0 ? side : ExactTriangle.of(this).endSide(segment);
     }
 
     private static double largest(double ax, double ay, double az, double bx, double by, double bz,
