@@ -18,6 +18,10 @@ final class TriangleSight {
     private final double touching;
     private final double eyeSize;
 
+    /** Of all edges so far, the smallest of their least and of their greatest products with the cone's directions. */
+    private double least;
+    private double most;
+
     TriangleSight(SquareCone cone, double touching) {
         this.cone = cone;
         this.touching = touching;
@@ -61,10 +65,11 @@ final class TriangleSight {
             return;
         }
         double sign = gap > 0 ? 1 : -1;
-        double least = Math.min(least(ax, ay, az, bx, by, bz, sign),
-            Math.min(least(bx, by, bz, cx, cy, cz, sign), least(cx, cy, cz, ax, ay, az, sign)));
-        double most = Math.min(most(ax, ay, az, bx, by, bz, sign),
-            Math.min(most(bx, by, bz, cx, cy, cz, sign), most(cx, cy, cz, ax, ay, az, sign)));
+        least = Double.POSITIVE_INFINITY;
+        most = Double.POSITIVE_INFINITY;
+        addEdge(ax, ay, az, bx, by, bz, sign);
+        addEdge(bx, by, bz, cx, cy, cz, sign);
+        addEdge(cx, cy, cz, ax, ay, az, sign);
         if (most < -error) {
             sight.cover = Cover.NONE;
             return;
@@ -72,19 +77,15 @@ final class TriangleSight {
         setPlane(triangle, Math.abs(gap), gapError, sign, least > error ? Cover.ALL : Cover.SOME, from, sight);
     }
 
-    /** The least product of the cone's directions with the normal of the plane through the eye and an edge. */
-    private double least(double ax, double ay, double az, double bx, double by, double bz, double sign) {
+    /** Lowers the least and the most to those of the cone's directions with the normal of the plane through eye and edge. */
+    private void addEdge(double ax, double ay, double az, double bx, double by, double bz, double sign) {
         double x = sign * (ay * bz - az * by);
         double y = sign * (az * bx - ax * bz);
         double z = sign * (ax * by - ay * bx);
-        return cone.leastProduct(cone.along(x, y, z), cone.across(x, y, z));
-    }
-
-    private double most(double ax, double ay, double az, double bx, double by, double bz, double sign) {
-        double x = sign * (ay * bz - az * by);
-        double y = sign * (az * bx - ax * bz);
-        double z = sign * (ax * by - ay * bx);
-        return cone.mostProduct(cone.along(x, y, z), cone.across(x, y, z), Vector.length(x, y, z));
+        double along = cone.along(x, y, z);
+        double across = cone.across(x, y, z);
+        least = Math.min(least, cone.leastProduct(along, across));
+        most = Math.min(most, cone.mostProduct(along, across, Vector.length(x, y, z)));
     }
 
     /** Rays meet the plane at gap over the product with the normal. */
@@ -101,11 +102,11 @@ final class TriangleSight {
         double along = cone.along(x, y, z);
         double across = cone.across(x, y, z);
         double error = 8 * Sight.ROUNDING * Vector.largestPart(ux, uy, uz) * Vector.largestPart(vx, vy, vz);
-        double least = cone.leastProduct(along, across) - error;
-        double most = cone.mostProduct(along, across, Vector.length(x, y, z)) + error;
-        double nearest = most > 0 ? Math.max(from, (1 - Sight.ROUNDING) * (gap - gapError) / most) : from;
+        double leastProduct = cone.leastProduct(along, across) - error;
+        double mostProduct = cone.mostProduct(along, across, Vector.length(x, y, z)) + error;
+        double nearest = mostProduct > 0 ? Math.max(from, (1 - Sight.ROUNDING) * (gap - gapError) / mostProduct) : from;
         sight.set(cover, nearest,
-            least > 0 ? (1 + Sight.ROUNDING) * (gap + gapError) / least : Double.POSITIVE_INFINITY);
+            leastProduct > 0 ? (1 + Sight.ROUNDING) * (gap + gapError) / leastProduct : Double.POSITIVE_INFINITY);
         double doubt = gapError / gap;
         if (doubt < CERTAIN) {
             double per = 1 / gap;
