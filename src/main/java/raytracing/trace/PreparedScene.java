@@ -63,9 +63,9 @@ public final class PreparedScene {
         Optional<Hierarchy> overTriangles = arrange(triangleNumbers, workers);
         int[] planeNumbers = kinds.planes.toArray();
         Plane[] allPlanes = new Plane[planeNumbers.length];
-        for (int i = 0; i < allPlanes.length; i++) {
-            allPlanes[i] = (Plane) surfaces[planeNumbers[i]];
-        }
+        Triangle[] allTriangles = new Triangle[triangleNumbers.length];
+        fill(planeNumbers, allPlanes, workers);
+        fill(triangleNumbers, allTriangles, workers);
         Sphere[] allSpheres = new Sphere[sphereNumbers.length];
         Box[] allBoxes = new Box[boxNumbers.length];
         double[] packedSpheres = list(sphereNumbers, allSpheres, workers);
@@ -73,7 +73,7 @@ public final class PreparedScene {
         planes = new PlaneList(allPlanes, planeNumbers, group(allPlanes, planeNumbers));
         spheres = new SphereList(allSpheres, packedSpheres, sphereNumbers, overSpheres);
         boxes = new BoxList(allBoxes, packedBoxes, boxNumbers, overBoxes);
-        triangles = new TriangleList(listTriangles(triangleNumbers, workers), triangleNumbers, overTriangles);
+        triangles = new TriangleList(allTriangles, triangleNumbers, overTriangles);
         lists = hasTriangles() ? new SurfaceList[] {planes, spheres, boxes, triangles}
             : new SurfaceList[] {planes, spheres, boxes};
         hasHierarchy = overSpheres.isPresent() || overBoxes.isPresent() || overTriangles.isPresent();
@@ -167,17 +167,16 @@ public final class PreparedScene {
         return packed;
     }
 
-    private Triangle[] listTriangles(int[] numbers, ForkJoin workers) {
-        Triangle[] list = new Triangle[numbers.length];
+    /** Fills a list with the surfaces of these numbers, which are of its kind. */
+    private void fill(int[] numbers, Surface[] list, ForkJoin workers) {
         workers.runRanges(numbers.length, new ForkJoin.Range() {
             @Override
             public void run(int from, int to) {
                 for (int i = from; i < to; i++) {
-                    list[i] = (Triangle) surfaces[numbers[i]];
+                    list[i] = surfaces[numbers[i]];
                 }
             }
         });
-        return list;
     }
 
     /** Numbers of surfaces, one after the other. */

@@ -73,7 +73,7 @@ public abstract class SurfaceList {
         return opaque;
     }
 
-    /** The same for a list without a hierarchy that is not empty. */
+    /** The same for a list without a hierarchy; an empty one is asked too (DECISIONS). */
     void offerAll(Ray ray, Crossings crossings) {
         offerCrossings(ray, 0, numbers.length, crossings);
     }
