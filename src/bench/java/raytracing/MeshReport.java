@@ -2,6 +2,7 @@ package raytracing;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.lang.ref.Reference;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -66,9 +67,8 @@ public final class MeshReport {
             reads[i] = (read - start) / bytes;
             arranges[i] = (double) (arranged - read) / surfaces;
             heap = (double) (usedHeap() - before) / surfaces;
-            if (renderer.scene() == null) {              // keeps the renderer in use until the heap is measured
-                throw new IllegalStateException();
-            }
+            Reference.reachabilityFence(renderer);       // so that the heap is measured with it
+            Reference.reachabilityFence(scene);
         }
         return new Cost(title, reads[0], reads[RUNS - 1], arranges[0], arranges[RUNS - 1], heap);
     }

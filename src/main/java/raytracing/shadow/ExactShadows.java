@@ -55,7 +55,7 @@ final class ExactShadows extends SoftShadows {
             ownShadow.b = isInside ? 0 : -hit.alongNormal(axes.vx(), axes.vy(), axes.vz());
             ownShadow.c = isInside ? 1 : -hit.alongNormal(shaft.tx, shaft.ty, shaft.tz);
             ownShadow.passing = transmittanceOf[hit.surface()];
-            if (own instanceof Body body && shaft.endsApartFrom(body)) {
+            if (!(own instanceof Body body) || shaft.endsApartFrom(body)) {
                 shadows.beginFigure(ownShadow.passing, 1);
                 shadows.addLine(ownShadow.a, ownShadow.b, ownShadow.c);
             } else {
@@ -95,12 +95,10 @@ final class ExactShadows extends SoftShadows {
             return true;
         }
 
-        /** A triangle hides all that is behind its plane. */
+        /** Nor has a triangle: all that is behind its plane is hidden, which needs no question. */
         @Override
         public Boolean visit(Triangle triangle) {
-            shadows.beginFigure(passing, 1);
-            shadows.addLine(a, b, c);
-            return true;
+            return false;
         }
     }
 }

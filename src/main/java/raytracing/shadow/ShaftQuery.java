@@ -82,6 +82,8 @@ final class ShaftQuery {
     private final PreparedScene scene;
     private final Use use;
     private final boolean hasTriangles;
+
+    /** Of a mesh, so many triangles are sorted at most; of triangles without a hierarchy, as many as of all obstacles. */
     private final int mostTriangles;
     private final boolean usesShafts;
     private final CrossedSurfaces certain;
@@ -204,7 +206,7 @@ final class ShaftQuery {
             if (hasTriangles) {
                 triangles.sort(nearby[place].triangles, certain);
             }
-            isSorted = certain.isDark() || spheres.count + boxes.count + triangles.count <= use.mostObstacles;
+            isSorted = knowsAll();
         } else {
             sortAll();
         }
@@ -243,9 +245,14 @@ final class ShaftQuery {
                 triangles.sort(Math.min(mostTriangles, use.mostObstacles - spheres.count - boxes.count), traversal, certain);
             }
             areLinesSooner[light] = certain.isDark();
-            isSorted = certain.isDark() || triangles.count <= mostTriangles
-                && spheres.count + boxes.count + triangles.count <= use.mostObstacles;
+            isSorted = knowsAll();
         }
+    }
+
+    /** After sorting: whether no light is left, or there are so few obstacles that all of them are known. */
+    private boolean knowsAll() {
+        return certain.isDark() || triangles.count <= mostTriangles
+            && spheres.count + boxes.count + triangles.count <= use.mostObstacles;
     }
 
     /** Whether rounding moves the light by more than its width, so that only a line to its middle makes sense. */

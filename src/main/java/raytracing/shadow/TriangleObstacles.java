@@ -89,10 +89,6 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
         }
     }
 
-    private static final int AB = 1;
-    private static final int BC = 2;
-    private static final int CA = 4;
-
     private final Triangle[] triangles;
     private final TriangleObstacle sorted = new TriangleObstacle();
 
@@ -268,9 +264,9 @@ final class TriangleObstacles extends Obstacles<TriangleObstacles.TriangleObstac
     /** Of an edge that the hit is on, the line as seen from where the hit was seen; others are passed on the inner side. */
     private void addTouchedEdges(Triangle triangle, int touched, int sign, ConvexShadows shadows) {
         Vector eye = shaft.hit.origin().seenFrom();
-        addEdge(touched & AB, triangle.a().minus(eye), triangle.b().minus(eye), eye, sign, shadows);
-        addEdge(touched & BC, triangle.b().minus(eye), triangle.c().minus(eye), eye, sign, shadows);
-        addEdge(touched & CA, triangle.c().minus(eye), triangle.a().minus(eye), eye, sign, shadows);
+        addEdge(touched & Triangle.AB, triangle.a().minus(eye), triangle.b().minus(eye), eye, sign, shadows);
+        addEdge(touched & Triangle.BC, triangle.b().minus(eye), triangle.c().minus(eye), eye, sign, shadows);
+        addEdge(touched & Triangle.CA, triangle.c().minus(eye), triangle.a().minus(eye), eye, sign, shadows);
     }
 
     private void addEdge(int touched, Vector from, Vector to, Vector eye, int sign, ConvexShadows shadows) {

@@ -106,7 +106,8 @@ record ExactTriangle(DyadicVector a, DyadicVector b, DyadicVector c, ExactPlane 
         if (!touches(point.point(), point.error())) {
             return Triangle.NOT_TOUCHED;
         }
-        return (isOn(a, b, point) ? 1 : 0) | (isOn(b, c, point) ? 2 : 0) | (isOn(c, a, point) ? 4 : 0);
+        return (isOn(a, b, point) ? Triangle.AB : 0) | (isOn(b, c, point) ? Triangle.BC : 0)
+            | (isOn(c, a, point) ? Triangle.CA : 0);
     }
 
     /** Whether a point that touches the triangle is not clearly on the inner side of an edge. */

@@ -28,6 +28,11 @@ import raytracing.math.Vector;
  */
 public record Triangle(double ax, double ay, double az, double bx, double by, double bz, double cx, double cy, double cz,
                        int material) implements Bounded {
+    /** The edges, as {@link #touchedEdges} adds them up. */
+    public static final int AB = 1;
+    public static final int BC = 2;
+    public static final int CA = 4;
+
     /** "The point does not touch the triangle", for {@link #touchedEdges}. */
     public static final int NOT_TOUCHED = -1;
 
@@ -69,7 +74,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
         Vector toB = b.minus(a);
         Vector toC = c.minus(a);
         double clear = VOLUME_ERROR * toB.largestPart() * toC.largestPart();
-        boolean isClear = clear > SMALL && clear < LARGE && toB.cross(toC).largestPart() > clear;
+        boolean isClear = isInRange(clear) && toB.cross(toC).largestPart() > clear;
         return !isClear && ExactTriangle.areOnALine(a, b, c);
     }
 
@@ -305,7 +310,7 @@ public record Triangle(double ax, double ay, double az, double bx, double by, do
     /**
      * The edges on which a point lies that touches this triangle.
      *
-     * @return 1 for the edge from a to b, 2 for b to c and 4 for c to a, added up; or {@link #NOT_TOUCHED}
+     * @return {@link #AB}, {@link #BC} and {@link #CA}, added up; or {@link #NOT_TOUCHED}
      */
     public int touchedEdges(RayOrigin point) {
         return ExactTriangle.of(this).touchedEdges(point);
