@@ -25,6 +25,10 @@ import raytracing.trace.ShadowMode;
 /** Shafts from points close to one another share what is beside them all, and nothing else comes of it. */
 class NearbyShaftsTest {
     private static final int ROOT = 4;
+
+    /** From 1 along the diagonal to its part along x, and along z. */
+    private static final double DIAGONAL = Math.sqrt(0.5);
+
     private static final String HEAD = """
         cam 0 0 -5 0 0 0 0 1 0 1 1
         set 0 0 0 1 1
@@ -125,24 +129,28 @@ class NearbyShaftsTest {
         leastShare = Math.min(leastShare, expected);
     }
 
+    /** From the middle of a neighbourhood to beyond its border. */
+    private void assertRememberedAlongTheDiagonal(PreparedScene scene, SplittableRandom random) {
+        ShaftQuery query = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
+        for (double way = 0; way <= 0.62; way += 0.02) {
+            assertRemembered(query, scene, floorPoint(DIAGONAL * way, DIAGONAL * way), new Vector(0, 10, 0),
+                random.nextLong());
+        }
+    }
+
     /** A ball that a shaft from the border of the neighbourhood meets, and no shaft from its middle does. */
     @ParameterizedTest
     @ValueSource(doubles = {-0.5, -0.1, -1e-3, -1e-12, 0, 1e-12})
     void aBallBesideOneShaftThatTouchesTheNextIsFound(double beyond) {
         SplittableRandom random = new SplittableRandom(2);
-        double diagonal = Math.sqrt(0.5);
         for (int i = 0; i < 300; i++) {
             double along = random.nextDouble(0.001, 0.3);
             double radius = random.nextDouble(0.01, 1);
             // the line from (0.62, 0) to (1.41, 10), a corner of the light, in the plane x = z; the ball is outside it
             double aside = 0.62 + 0.79 * along + radius * (1 + beyond);
-            PreparedScene scene = prepared("pln 0 1 0 0 1\nsph " + diagonal * aside + " " + 10 * along + " " + diagonal * aside
+            PreparedScene scene = prepared("pln 0 1 0 0 1\nsph " + DIAGONAL * aside + " " + 10 * along + " " + DIAGONAL * aside
                 + " " + radius + " 1");
-            ShaftQuery query = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
-            for (double way = 0; way <= 0.62; way += 0.02) {
-                assertRemembered(query, scene, floorPoint(diagonal * way, diagonal * way), new Vector(0, 10, 0),
-                    random.nextLong());
-            }
+            assertRememberedAlongTheDiagonal(scene, random);
         }
         assertTrue(leastShare < ROOT * ROOT || beyond > -0.4);
     }
@@ -152,21 +160,16 @@ class NearbyShaftsTest {
     @ValueSource(doubles = {-0.5, -0.1, -1e-3, -1e-12, 0, 1e-12})
     void aTriangleBesideOneShaftWhoseCornerTouchesTheNextIsFound(double beyond) {
         SplittableRandom random = new SplittableRandom(4);
-        double diagonal = Math.sqrt(0.5);
         for (int i = 0; i < 300; i++) {
             double along = random.nextDouble(0.001, 0.3);
             double size = random.nextDouble(0.01, 1);
             // the line from (0.62, 0) to (1.41, 10), a corner of the light, in the plane x = z; the triangle is outside it
-            double aside = diagonal * (0.62 + 0.79 * along + beyond * size);
+            double aside = DIAGONAL * (0.62 + 0.79 * along + beyond * size);
             Vector corner = new Vector(aside, 10 * along, aside);
             PreparedScene scene = prepared("pln 0 1 0 0 1\n" + Meshes.triangle(corner,
                 Vectors.plus(corner, size, new Vector(random.nextDouble(0.5, 1), 0.05, 0.2)),
                 Vectors.plus(corner, size, new Vector(0.2, random.nextDouble(-0.1, 0.1), random.nextDouble(0.5, 1))), 1));
-            ShaftQuery query = new ShaftQuery(scene, ShaftQuery.Use.LINES, 1);
-            for (double way = 0; way <= 0.62; way += 0.02) {
-                assertRemembered(query, scene, floorPoint(diagonal * way, diagonal * way), new Vector(0, 10, 0),
-                    random.nextLong());
-            }
+            assertRememberedAlongTheDiagonal(scene, random);
         }
         assertTrue(leastShare < ROOT * ROOT || beyond > -0.4);
     }

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.BiFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -151,38 +152,33 @@ class ShaftQueryTest {
         }
     }
 
+    private void shaftsAmong(int seed, int materials, int scenes, boolean isOnSurfaces, int atLeast,
+                             BiFunction<RandomTriangles, SplittableRandom, String> lines) {
+        SplittableRandom random = new SplittableRandom(seed);
+        RandomTriangles triangles = new RandomTriangles(random, materials);
+        for (int i = 0; i < scenes; i++) {
+            shafts(prepared(lines.apply(triangles, random), EnumSet.allOf(Shortcut.class)), random, isOnSurfaces);
+        }
+        assertBothKindsCameUp(atLeast);
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {1, 4})
     void shaftsInACrowdOfTriangles(int materials) {
-        SplittableRandom random = new SplittableRandom(11);
-        RandomTriangles triangles = new RandomTriangles(random, materials);
-        for (int i = 0; i < 400; i++) {
-            shafts(prepared(triangles.crowd(random.nextInt(1, 12), 4), EnumSet.allOf(Shortcut.class)), random, false);
-        }
-        assertBothKindsCameUp(200);
+        shaftsAmong(11, materials, 400, false, 200, (triangles, random) -> triangles.crowd(random.nextInt(1, 12), 4));
     }
 
     /** Neighbours in one plane, twins, shared edges and corners, lights and points on all of them. */
     @ParameterizedTest
     @ValueSource(ints = {1, 4})
     void shaftsBetweenTrianglesThatTouch(int materials) {
-        SplittableRandom random = new SplittableRandom(12);
-        RandomTriangles triangles = new RandomTriangles(random, materials);
-        for (int i = 0; i < 400; i++) {
-            shafts(prepared(triangles.grid(random.nextInt(1, 8)), EnumSet.allOf(Shortcut.class)), random, true);
-        }
-        assertBothKindsCameUp(100);
+        shaftsAmong(12, materials, 400, true, 100, (triangles, random) -> triangles.grid(random.nextInt(1, 8)));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 4})
     void shaftsBetweenMeshes(int materials) {
-        SplittableRandom random = new SplittableRandom(13);
-        RandomTriangles triangles = new RandomTriangles(random, materials);
-        for (int i = 0; i < 80; i++) {
-            shafts(prepared(triangles.meshes(1), EnumSet.allOf(Shortcut.class)), random, false);
-        }
-        assertBothKindsCameUp(60);
+        shaftsAmong(13, materials, 80, false, 60, (triangles, random) -> triangles.meshes(1));
     }
 
     /** Hits on the edges and corners of meshes, which touch several triangles, and very near to them. */
